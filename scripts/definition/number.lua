@@ -44,7 +44,7 @@ function number.setting(path)
   return named(known.model, inside)
 end
 
--- Raises an error if `setting` is nil or not of a numeric type.
+-- Raises an error for the user's field `field` if its setting is nil or not of a numeric type.
 function number.check(where, field, setting)
   if not setting or not setting.type:match("^a number") then
     check.fail(where, ("field '%s': expected the name of a field of wear{} or model{} that is a number, "
@@ -113,14 +113,14 @@ end
 
 local both = { E = true, nu = true }
 
--- Returns true if a name belongs to wear{} itself and not to the model.
+-- Returns true if a name is a field of wear{} itself and not of the model.
 function number.of_run(name)
   local first = name:match("^[^.]*")
   return first ~= "model" and named(known.wear, first) ~= nil
 end
 
--- Returns a list of the paths of a numeric field: one path, or two if the name stands for both bodies. flat: the
--- settings of the model that has this field, by their paths. An unknown name is returned unchanged.
+-- Returns a list of the paths of a numeric field: one path, or two if the name means both bodies. flat:
+-- all settings of the run and its model, by path. An unknown name is returned unchanged.
 function number.paths(name, flat)
   if both[name] and not is_joint(flat) then return { body_path(flat, "upper", name), body_path(flat, "lower", name) } end
   if number.of_run(name) then return { name } end
@@ -132,8 +132,8 @@ function number.paths(name, flat)
   return { named(known.model, inside) and "model." .. inside or name }
 end
 
--- Returns the path of a numeric field with only one path. field: name of the user's field for error messages. Error:
--- ARGUMENT if the name is ambiguous.
+-- Returns the path of a numeric field whose name means only one path. field: name of the user's field,
+-- for error messages. Raises ARGUMENT if the name means both bodies.
 function number.path(where, field, name, flat)
   local paths = number.paths(name, flat)
   if #paths > 1 then
@@ -143,7 +143,7 @@ function number.path(where, field, name, flat)
   return paths[1]
 end
 
--- Replaces the names in flat settings by their paths, and returns the settings.
+-- Replaces the given names of numeric fields in flat settings by their paths. Returns the settings.
 function number.rename(flat, names)
   for name in pairs(names) do
     local paths, value = number.paths(name, flat), flat[name]

@@ -27,7 +27,7 @@ end
 -- Settings that are not stored, since another setting determines them: mesh.size determines mesh.fineness.
 local implied = { ["mesh.fineness"] = true }
 
--- Returns the flat settings from which an equal material or model can be created.
+-- Returns flat settings from which a copy of a material or model can be created.
 local function as_table(where, name, value)
   local class = (getmetatable(value) or {}).__name
   if class ~= "material" and class ~= "model" then
@@ -37,7 +37,7 @@ local function as_table(where, name, value)
   local flat, outside = {}, class == "model" and (value.mesh.upper or {}).rows == 0
   for _, setting in ipairs(known[class]) do
     local own = (not setting.group or setting.class) and not implied[setting.path]
-    local body = class == "model" and number.role_of[setting.path:match("^%l+")] -- a table of the body and its material
+    local body = class == "model" and number.role_of[setting.path:match("^%l+")] -- role of a material's body
     local left = outside and setting.path:match("^mesh%.") or body and value[body]
     if own and not left then flat[setting.path] = settings.value_at(value, setting.path) end
   end
@@ -122,7 +122,7 @@ end
 
 local most_cases, most_values = 1000000, 4000000 -- largest numbers of cases and varied values in a study
 
--- Raises an error if a study has too many cases. how: explanation of `count` in the message.
+-- Raises an error if a study has too many cases. how: text in the message that explains the number `count`.
 function settings.check_count(where, name, count, how)
   if count <= most_cases then return end
   check.fail(where, ("field '%s': expected at most %d cases, got %.0f (%s)"):format(name, most_cases, count, how))

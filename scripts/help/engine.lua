@@ -1,160 +1,164 @@
--- Help entries of the objects material, hertz, model, body, mesh, contact, stress, wear and state. An entry is
--- { address, kind=, type=, unit=, default=, values=, class=, use=, text= }; help/init.lua explains addresses and
--- fields. Equation numbers refer to Mattei and Di Puccio, "Influence of the wear partition factor on wear
--- evolution modelling of sliding surfaces".
+-- Help entries of the objects material, hertz, model, body, mesh, contact, stress, wear and state. Each entry
+-- is { address, kind=, type=, unit=, default=, values=, class=, use=, text= }; help/init.lua explains
+-- addresses and fields. Equation numbers refer to Mattei and Di Puccio, "Influence of the wear partition
+-- factor on wear evolution modelling of sliding surfaces".
 
 local of_all = '. Fields of every body: E, nu, k or material, layers, name; see help "body".'
 
 return {
   -- --- material -------------------------------------------------------------------------------
   { "material", kind = "constructor", use = "material{ E=200e3, nu=0.3, k=1e-9 }",
-    text = "A linear elastic material and its wear coefficient k, for example material{ E=114e3, nu=0.34, "
-      .. 'name="Ti-6Al-4V" }. Use it as model{ cylinder=material{...} }, in bodies and in layers. The defaults are '
-      .. "the steel of the reference case; archard has no library of materials." },
+    text = "A linear elastic material with its wear coefficient k, for example material{ E=114e3, nu=0.34, "
+      .. 'name="Ti-6Al-4V" }. Use it in a model, model{ cylinder=material{...} }, in a body or in a layer. The '
+      .. "defaults describe the steel of the reference case; archard has no library of materials." },
   { "material.E_star", kind = "field", unit = "MPa",
     text = "Plane-strain modulus E / (1 - nu^2)." },
 
   -- --- hertz ----------------------------------------------------------------------------------
   { "hertz", kind = "constructor", use = "hertz{ radius=10, load=100 }",
-    text = "Hertz' closed-form solution for the line contact of a cylinder on a half-space, or for a ball with "
-      .. 'geometry = "axisymmetric". Use it to check the pressure and half width of an unworn contact.' },
+    text = "Hertz' closed-form solution for the line contact of a cylinder with a flat or, with geometry = "
+      .. '"axisymmetric" or "3-D", for the contact of a ball or crowned roller with a flat. Use it to check the '
+      .. "pressure and half width of an unworn contact." },
   { "hertz.half_width", kind = "field", unit = "mm",
     text = "Half width of the contact: a = sqrt(4 R L_N / (pi t E*)) for a cylinder, a = cbrt(3 R L_N / (4 E*)) "
       .. "for a ball, with the radius R, load L_N, thickness t and contact modulus E*." },
   { "hertz.half_width_z", kind = "field", unit = "mm",
     text = 'Half width of the contact across the motion (along z), with geometry = "3-D"; NaN for a cylinder.' },
   { "hertz.p_max", kind = "field", unit = "MPa",
-    text = "Pressure at the centre: p_H = 2 L_N / (pi a t) for a cylinder, p_H = 3 L_N / (2 pi a^2) for a ball, "
-      .. "with the load L_N, half width a and thickness t." },
+    text = "Largest pressure, at the centre of the contact: p_H = 2 L_N / (pi a t) for a cylinder, p_H = 3 L_N / "
+      .. "(2 pi a^2) for a ball, with the load L_N, half width a and thickness t." },
   { "hertz.E_star", kind = "field", unit = "MPa",
-    text = "Contact modulus 1 / (1/E*_c + 1/E*_p) of the cylinder (c) and the plate (p). For each body, E*_b = E / "
-      .. "(1 - nu^2), or E in plane stress." },
+    text = "Contact modulus E* of the cylinder (c) and the plate (p), 1/E* = 1/E*_c + 1/E*_p. The modulus of each "
+      .. "body is E / (1 - nu^2), or E in plane stress." },
   { "hertz.approach", kind = "field", unit = "mm",
     text = "Distance by which a ball and its plate approach each other: a^2 / R, with the half width a and the "
       .. "radius R. NaN for a cylinder: its approach is not defined on a half-space." },
 
   -- --- model ----------------------------------------------------------------------------------
   { "model", kind = "constructor", use = "model{ radius=10, mesh={ fineness=2 } }",
-    text = "The two elastic bodies, meshed and condensed to their surfaces. The default is a half cylinder, fixed "
-      .. "at its flat top, on a plate of width 2 radius and height radius, in plane strain. A model does not "
-      .. 'change; several contacts and runs can share a model. Other geometries: help "axisymmetric". mesh = '
-      .. '"pair.msh" reads both bodies from a Gmsh file: help "gmsh". Different materials and wear coefficients: '
-      .. "model{ cylinder={ E=200e3, nu=0.3, k=1e-9 }, plate={ E=114e3, nu=0.34, k=1e-8 } }. In runs and contacts "
-      .. "with friction the coupling of pressure and shear between different materials (Dundurs' beta) is included." },
+    text = "The two elastic bodies. They are meshed with finite elements, whose stiffness is condensed to the "
+      .. "surface nodes. The default is a half cylinder, fixed at its flat top, on a plate, in plane strain; the "
+      .. "plate is twice as wide and once as high as the cylinder's radius. A model does not change; several "
+      .. 'contacts and runs can share a model. Other geometries: help "axisymmetric". mesh = "pair.msh" reads both '
+      .. 'bodies from a Gmsh file: help "gmsh". Bodies with different materials and wear coefficients: model{ '
+      .. "cylinder={ E=200e3, nu=0.3, k=1e-9 }, plate={ E=114e3, nu=0.34, k=1e-8 } }. Contacts and runs with "
+      .. "friction include the coupling of pressure and shear between different materials (Dundurs' beta)." },
   { "model.upper", kind = "field", text = "Definition of the upper body; nil for the default cylinder." },
   { "model.lower", kind = "field", text = "Definition of the lower body; nil for the default block." },
   { "model.bodies", kind = "field",
-    text = 'Names of the bodies: m.bodies.upper, m.bodies.lower. Each is the name given in body.disc{ name="pin" }, '
-      .. 'else the kind of body ("ring"), else "upper" or "lower"; the default pair is "cylinder" and "plate". All '
-      .. 'these names work in results: w.depth.pin, w.depth.upper, w:profile("pin"), m.mesh.pin, state.depth.pin, '
-      .. 'plot.history(w, "depth_pin").' },
+    text = "Names of the bodies, m.bodies.upper and m.bodies.lower. A body has the name that its definition sets, "
+      .. 'as in body.disc{ name="pin" }; without a name it is called by its kind, such as "ring", or "upper" and '
+      .. '"lower". The default bodies are "cylinder" and "plate". Results accept all these names: w.depth.pin, '
+      .. 'w.depth.upper, w:profile("pin"), m.mesh.pin, state.depth.pin, plot.history(w, "depth_pin").' },
   { "body", kind = "module", use = "model{ upper = body.punch{ flat=1, radius=2 }, lower = body.block{} }",
-    text = "Bodies with layers (coatings) for model{ upper=, lower= }. The upper body carries the load, the lower "
-      .. "body moves. Each body accepts E, nu, k or material=, and layers = {{ thickness=, material= }, ...} from "
-      .. "the surface inwards; each layer wears with its own k. On a mesh from Gmsh use materials = { NAME = } "
-      .. "instead of layers." },
+    text = "Bodies of a model{ upper=, lower= }, with layers (coatings) if needed. The upper body carries the "
+      .. "load, the lower body moves. Each body accepts E, nu, k or material=, and layers = {{ thickness=, "
+      .. "material= }, ...} from the surface inwards; each layer wears with its own k. A mesh from Gmsh has "
+      .. "materials = { NAME = } instead of layers." },
   { "body{layers}", type = "list of tables { thickness=, material= }",
-    text = "Layers such as coatings, at most four, from the surface inwards; the body lies below them. If its "
-      .. "material has k, a layer wears with this coefficient. A plate with a coating of 5 um: w = wear{ model={ "
-      .. "lower=body.block{ k=1e-8, layers={{ thickness=0.005, material=material{ E=300e3, nu=0.2, k=1e-10 } }} } "
-      .. "} }. w:run{ depth={ plate=0.005 } } stops when the coating is worn through." },
+    text = "Layers such as coatings on the body, at most four, in order from the surface inwards. A layer wears "
+      .. "with the k of its material, if the material has one. For example, a plate with a coating of 5 um: w = "
+      .. "wear{ model={ lower=body.block{ k=1e-8, layers={{ thickness=0.005, material=material{ E=300e3, nu=0.2, "
+      .. "k=1e-10 } }} } } }. w:run{ depth={ plate=0.005 } } stops when the coating is worn through." },
   { "body.cylinder", kind = "function", use = "body.cylinder{ radius=10 }", result = "table",
-    text = 'A half cylinder, fixed at its flat side. For a pin in a bush, hold = "free" lets this side move '
-      .. 'sideways, and hold = "hub" makes the body a whole disc around a rigid hub. Fields: radius, hold' .. of_all },
+    text = "A half cylinder, fixed at its flat side. Two other supports are for a pin in a bush: with hold = "
+      .. '"free" the flat side can slide sideways, with hold = "hub" the body is a whole disc around a rigid hub. '
+      .. "Fields: radius, hold" .. of_all },
   { "body.ball", kind = "function", use = "body.ball{ radius=10, radius_z=50 }", result = "table",
-    text = 'A ball, crowned roller or ellipsoid for model{ geometry="3-D" }, with the surface x^2 / (2 '
-      .. "radius) + z^2 / (2 radius_z); z is across the motion. Without radius_z it is a sphere. Fields: "
-      .. "radius, radius_z" .. of_all },
+    text = 'A ball, crowned roller or ellipsoid for model{ geometry="3-D" }, whose surface has the height x^2 / (2 '
+      .. "radius) + z^2 / (2 radius_z); z is across the motion. radius_z is by default the radius, for a ball. "
+      .. "Fields: radius, radius_z" .. of_all },
   { "body.block", kind = "function", use = "body.block{ width=20, height=10 }", result = "table",
-    text = 'A block, fixed at its base (an upper block: at its top). With geometry="3-D" it is a half-space '
+    text = 'A block, fixed at its base or, as the upper body, at its top. With geometry="3-D" it is a half-space '
       .. "or, if a height is given, a layer on a rigid base. Fields: width, height" .. of_all },
   { "body.punch", kind = "function", use = "body.punch{ flat=1, radius=2, height=10 }", result = "table",
-    text = "A block with a flat of full width `flat` and edges rounded by `radius`. Fields: flat, radius, "
-      .. "height" .. of_all },
+    text = "A block with a flat contact face of the full width `flat` [mm], between edges that are rounded by "
+      .. "`radius` [mm]. Fields: flat, radius, height" .. of_all },
   { "body.profile", kind = "function", use = "body.profile{ y=function(x) return 1e-4*math.cos(60*x) end }",
     result = "table",
     text = "A block whose surface has a profile: heights in mm, positive out of the body, as a function "
       .. "y(x), as lists x and y, or as a measured trace, body.profile(profile.read(path)). Fields: width, "
       .. "height, y, x" .. of_all },
   { "body.map", kind = "function", use = 'body.map{ y=map.read("ball.sdf"):level("sphere"), radius=10 }', result = "table",
-    text = 'A measured or computed rough surface for model{ geometry="3-D" }, as upper or lower body. The heights, '
-      .. "positive out of the body, are on a grid with constant steps; give a map or the fields of map{ x=, z=, y= "
-      .. "}. If radius (and radius_z) are given, the heights are added to a ball. Between the points the heights "
-      .. "are interpolated by cubics. The contact must stay within the map, which is centred at x = z = 0. Fields: "
-      .. "x, z, y, radius, radius_z" .. of_all },
+    text = 'A measured or computed rough surface for model{ geometry="3-D" }, as upper or lower body: a map, or '
+      .. "the fields of map{ x=, z=, y= }. The heights are positive out of the body, on a grid with constant "
+      .. "steps, and interpolated by cubic polynomials. With radius (and radius_z) they are added to a ball. The "
+      .. "bodies touch near x = z = 0, which should be the middle of the map, because the contact must be within "
+      .. "the map. Fields: x, z, y, radius, radius_z" .. of_all },
   { "body.disc", kind = "function", use = "body.disc{ radius=9.95 }", result = "table",
     text = "A full disc, fixed at a hub in its centre; the radius of the hub is 0.15 times the radius of the disc. "
       .. "Fields: radius" .. of_all },
   { "body.ring", kind = "function", use = 'body.ring{ inner=10, outer=20, fixed="outer" }', result = "table",
-    text = 'A ring. With fixed="outer" its hole is in contact with a disc, cylinder or inner ring; the '
-      .. "contact is then solved along the surface of the hole: x is the arc length, and friction is not "
+    text = 'A ring. With fixed="outer" its hole is in contact with a disc, a cylinder or an inner ring. The '
+      .. "contact is then solved along the surface of the hole, where x is the arc length; friction is not "
       .. "available. Fields: inner, outer, fixed" .. of_all },
   { "body.gmsh", kind = "function", use = "body.gmsh{ name=, E=, materials={ coating={ E=400e3 } } }",
     result = "table",
-    text = "Properties of a body whose mesh is read from the Gmsh file of model{ mesh = }. materials "
-      .. 'assigns a material to each physical group by its name, see help "gmsh".' },
+    text = "Properties of a body whose mesh is read from the Gmsh file of model{ mesh = }. The field materials has "
+      .. "a material for each physical group, by the group's name: help \"gmsh\"." },
   { "model.seconds", kind = "field", unit = "s", text = "Computing time for building the model." },
-  { "model.bytes", kind = "field", unit = "bytes", text = "Memory that the model uses." },
+  { "model.bytes", kind = "field", unit = "bytes", text = "Memory used by the model." },
   { "model.close", kind = "method", use = "m:close()",
-    text = "Frees the model now instead of at the next garbage collection. Runs and contacts that use it "
-      .. "stay valid." },
+    text = "Frees the memory of the model now instead of at the next garbage collection. Runs and contacts that "
+      .. "use the model stay valid." },
   { "model.mesh", kind = "field",
-    text = "The meshes m.mesh.cylinder and m.mesh.plate, and the fields of model{ mesh= } with the values "
-      .. 'chosen for "auto": size, height, fineness, far, zone, rows, element.' },
+    text = "The meshes m.mesh.cylinder and m.mesh.plate, and the mesh settings size, height, fineness, far, zone, "
+      .. 'rows and element, with the values that were chosen for "auto".' },
   { "model.mesh.cylinder", kind = "field", class = "mesh", text = "Mesh of the half cylinder." },
   { "model.mesh.plate", kind = "field", class = "mesh", text = "Mesh of the plate." },
 
   -- --- mesh -----------------------------------------------------------------------------------
   { "mesh", kind = "object", use = "m.mesh.cylinder, m.mesh.plate",
-    text = "Finite elements of one body, symmetric about x = 0. The origin is the first point of contact, x is along "
-      .. "the plate's surface, y upwards. w.mesh.cylinder and w.mesh.plate of a run have the worn positions of the "
-      .. "nodes." },
+    text = "Finite element mesh of one body, symmetric about x = 0. The origin is the first point of contact; x is "
+      .. "along the plate's surface, y points upwards. The meshes of a run, w.mesh.cylinder and w.mesh.plate, have "
+      .. "the worn positions of the nodes." },
   { "mesh.nodes", kind = "field", text = "Number of nodes." },
   { "mesh.quads", kind = "field", text = "Number of quadrilaterals." },
   { "mesh.triangles", kind = "field", text = "Number of triangles." },
-  { "mesh.elements_count", kind = "field", text = "Number of elements: quads and triangles." },
+  { "mesh.elements_count", kind = "field", text = "Number of elements, quadrilaterals and triangles." },
   { "mesh.element", kind = "field",
-    text = 'Type of the elements: "CPE4" or "CPE4I" in plane strain, "CPS4" in plane stress, "CAX4" in bodies of '
-      .. "revolution." },
+    text = 'Type of the elements, as named in Abaqus: "CPE4" or "CPE4I" in plane strain, "CPS4" in plane stress, '
+      .. '"CAX4" in bodies of revolution.' },
   { "mesh.rows", kind = "field", text = "Number of element rows in the wear box, the regular elements below the surface." },
-  { "mesh.body", kind = "field", text = 'Body of the mesh, "cylinder" or "plate".' },
+  { "mesh.body", kind = "field", text = 'Name of the body, "cylinder" or "plate".' },
   { "mesh.radius", kind = "field", unit = "mm", text = "Radius of the cylinder." },
   { "mesh.quality", kind = "method", use = "m.mesh.plate:quality()",
-    text = "Quality of the worst elements, a table with smallest_angle, largest_angle (degrees), aspect (longest "
-      .. "edge over shortest), jacobian_ratio (smallest Jacobian over the largest, at the corners of a "
-      .. "quadrilateral), smallest_jacobian (mm2, positive). Its field box is a table of these values for the wear "
-      .. "box alone." },
+    text = "Returns the values of the worst elements in a table: smallest_angle and largest_angle [degrees], "
+      .. "aspect (longest edge over shortest), jacobian_ratio (smallest Jacobian over the largest, at the corners "
+      .. "of a quadrilateral) and smallest_jacobian [mm2], positive in a valid mesh. The field box of the table "
+      .. "has the same values for the wear box alone." },
   { "mesh.write", kind = "method", use = "m.mesh.plate:write(path)",
     text = "Writes the mesh to a file. The ending chooses the format: .vtk, .vtu, .inp (Abaqus, CalculiX), .msh "
       .. "(Gmsh) or .csv (nodes)." },
   { "mesh.node", kind = "method", use = "x, y = m.mesh.plate:node(i)",
     text = "Position of node i = 1 ... nodes, in mm." },
   { "mesh.elements", kind = "method", use = "m.mesh.plate:elements()",
-    text = "Node numbers (from 1) of the element corners in one list, four per element; the fourth number "
-      .. "of a triangle is 0." },
+    text = "Node numbers (from 1) of the corners of all elements in one list, four for each element; the fourth "
+      .. "number of a triangle is 0." },
   { "mesh.coordinates", kind = "method", use = "m.mesh.plate:coordinates()",
     text = "Positions of all nodes, { x=, y= } in mm." },
   { "mesh.surface", kind = "method", use = "m.mesh.plate:surface()",
-    text = "Numbers of the candidate contact nodes, by increasing x." },
+    text = "Numbers of the surface nodes that may be in contact, in the order of increasing x." },
   { "mesh.box", kind = "method", use = "m.mesh.plate:box()",
-    text = "Numbers of the nodes of the wear box: rows + 1 for each surface node, from the surface inwards." },
+    text = "Numbers of the nodes of the wear box: for each surface node the rows + 1 nodes from the surface "
+      .. "inwards." },
   { "mesh.outline", kind = "method", use = "m.mesh.plate:outline()",
     text = "Numbers of the boundary nodes, counter-clockwise." },
   { "mesh.fixed", kind = "method", use = "m.mesh.plate:fixed()",
     text = "Numbers of the fixed nodes." },
   { "mesh.close", kind = "method", use = "mesh:close()",
-    text = "Frees the mesh now instead of at the next garbage collection." },
+    text = "Frees the memory of the mesh now instead of at the next garbage collection." },
 
   -- --- contact --------------------------------------------------------------------------------
   { "contact", kind = "constructor", use = "c = contact{ load=100, x=0 }",
     text = "One solved contact: the load presses both bodies together, with the plate at position x. c:move "
-      .. "continues from this contact. If no model is given, one with suitable contact zones is built. With "
+      .. "continues from the contact c. If no model is given, a model with suitable contact zones is built. With "
       .. "friction, shear, slip and tangential force are positive when the plate is pushed along +x." },
   { "contact{worn.cylinder}", type = "function(x) or table { x=, h= }", unit = "mm",
-    text = "Wear depth of the cylinder against x. A function is evaluated at the nodes; points are "
+    text = "Wear depth of the cylinder against x. A function is evaluated at the nodes. The points of a table are "
       .. "interpolated by splines, which are smooth inside a scar and preserve its area." },
   { "contact{worn.plate}", type = "function(x) or table { x=, h= }", unit = "mm",
-    text = "Wear depth of the plate against x. A function is evaluated at the nodes; points are "
+    text = "Wear depth of the plate against x. A function is evaluated at the nodes. The points of a table are "
       .. "interpolated by splines, which are smooth inside a scar and preserve its area." },
   { "contact.half_width", kind = "field", unit = "mm",
     text = "Half width of the contact. Its error is 0.03 element widths for unworn surfaces and 0.07 for smooth "
@@ -165,18 +169,18 @@ return {
   { "contact.p_max", kind = "field", unit = "MPa",
     text = "Largest nodal pressure. At the edge of a scar it grows as the mesh is refined; use p_average there." },
   { "contact.p_average", kind = "field", unit = "MPa",
-    text = "Largest pressure averaged over a length, contact{ average= }. Unlike p_max it converges with the mesh "
-      .. "at edges of scars." },
+    text = "Largest value of the pressure averaged over a length, the field average of contact{}. Unlike p_max, "
+      .. "p_average converges at edges of scars when the mesh is refined." },
   { "contact.p_center", kind = "field", unit = "MPa",
-    text = "Pressure at x = 0 of the upper body, the lowest point of a cylinder. The largest pressure of a profile "
-      .. "may lie elsewhere: see p_max." },
+    text = "Pressure at x = 0 of the upper body, which is the lowest point of a cylinder. If the upper body has a "
+      .. "profile, the largest pressure may be elsewhere: see p_max." },
   { "contact.normal_force", kind = "field", unit = "N",
-    text = "Integral of the pressure over the surface. It equals the load; in holes, where the pressure has "
-      .. "different directions, it is up to 4/pi times the load." },
+    text = "Integral of the pressure over the surface. It equals the load, except in holes: there the pressure has "
+      .. "different directions, and the integral is up to 4/pi times the load." },
   { "contact.approach", kind = "field", unit = "mm",
     text = "Distance by which the fixed parts of both bodies approach each other." },
-  { "contact.iterations", kind = "field", text = "Number of iterations of the active-set method, which solves the "
-    .. "contact." },
+  { "contact.iterations", kind = "field",
+    text = "Number of iterations of the active-set method that solved the contact." },
   { "contact.edges", kind = "field", unit = "mm",
     text = "Positions of both edges of the contact, { left=, right= }, measured from the cylinder's axis." },
   { "contact.model", kind = "field", class = "model", text = "The model of the contact." },
@@ -186,15 +190,16 @@ return {
       .. "axis." },
   { "contact.move", kind = "method", class = "contact",
     use = "c:move{ x= | tangential=, z= | tangential_z=, load=, increments= }",
-    text = "Returns the contact after a motion. The plate's base moves to x, or a tangential force moves it, and "
-      .. "the load may change; position, force and load change linearly and simultaneously. c itself is not "
-      .. "changed. Coulomb friction depends on the history, so the motion starts from the slip of each node in c. "
-      .. "If neither x nor tangential is given, the base keeps its position. x may exceed the contact width; the "
-      .. "bodies then slide. In 3-D z and tangential_z are available too, and the increments are chosen "
-      .. "automatically: c.energy_error estimates their error. If you set the number of increments in 3-D, the "
-      .. "error is of first order in their length where the direction of slip rotates: if a force rotates once in "
-      .. "64 increments, its work is 8 % too small. Close to full slip with nu > 0 the motion under a force exceeds "
-      .. "Mindlin's, who neglects slip across the force: by 19 % at 0.9999 of full slip." },
+    text = "Returns the contact after a motion; c itself is not changed. The plate's base moves to x, or a "
+      .. "tangential force moves the plate, and the load may change. Position or force and load change linearly "
+      .. "and simultaneously. Coulomb friction depends on the history, so the motion starts from the slip of each "
+      .. "node in c. If neither x nor tangential is given, the base does not move. If x exceeds the contact width, "
+      .. "the bodies slide on each other. In 3-D z and tangential_z are available too, and the number of "
+      .. "increments is chosen automatically; c.energy_error estimates the error. If you set increments in 3-D, "
+      .. "the error is proportional to their length where the direction of slip rotates: the work of a force that "
+      .. "rotates once in 64 increments is 8 % too small. Close to full slip with nu > 0, the motion under a force "
+      .. "is larger than in Mindlin's solution, which neglects slip across the force: by 19 % at 0.9999 times the "
+      .. "force of full slip." },
   { "contact.z", kind = "field", unit = "mm",
     text = "Position of the lower body along z, in 3-D with friction; 0 in 2-D." },
   { "contact.tangential_z", kind = "field", unit = "N",
@@ -207,103 +212,108 @@ return {
       .. "contact. On the automatic mesh of a contact with friction (27 elements in the half width), the energy of "
       .. "a cycle has an error of 0.5 % for similar bodies (Dundurs' beta up to 0.01, such as steels). For other "
       .. "bodies the error is 1.5 % if the force is at least 0.3 times the force of full slip, and 6 % at 0.2 "
-      .. "times. On coarser meshes the error depends on the number of elements that slip at each edge. Partial "
-      .. "slip under constant load: 1.6 % with one element and 0.3 % with three for similar bodies, 12 % and 1.5 % "
-      .. "for beta up to 0.1. Larger beta, changing loads or edges of scars: 45 % with one element, 15 % with one "
-      .. "and a half, 6 % with two. In 3-D with 40 cells in the half width: loops within 0.4 % "
-      .. "from 0.2 times the force of full slip; for nu = 0.3 they are 0.2 to 0.4 % below Mindlin's, who neglects the "
-      .. "slip across the force. For the energy of wear runs see wear.energy and wear.cycle_energy." },
+      .. "times. On coarser meshes the error depends on the number n of elements that slip at each edge. In "
+      .. "partial slip under constant load it is 1.6 % for n = 1 and 0.3 % for n = 3 with similar bodies, and 12 % "
+      .. "and 1.5 % with beta up to 0.1. With larger beta, changing loads or edges of scars it is 45 % for n = 1, "
+      .. "15 % for n = 1.5 and 6 % for n = 2. In 3-D with 40 cells in the half width, the energy of a loop has an "
+      .. "error of 0.4 % if the force is at least 0.2 times the force of full slip; for nu = 0.3 it is 0.2 to 0.4 "
+      .. "% below Mindlin's solution, which neglects the slip across the force. For the energy of wear runs see "
+      .. "wear.energy and wear.cycle_energy." },
   { "contact.energy_error", kind = "field", unit = "N mm",
-    text = "In 3-D: estimated error of contact.energy caused by the length of the increments. It is the difference "
-      .. "from the energy with half as many increments. This difference is close to the true error where the "
+    text = "In 3-D: estimated error of contact.energy due to the length of the increments. The estimate is the "
+      .. "difference from the energy with half as many increments. It is close to the true error where the "
       .. "direction of slip rotates, and three times the true error elsewhere. Motions whose number of increments "
       .. "you set are not included." },
   { "contact.stick", kind = "field", unit = "mm",
     text = "Stick zones at the end of the motion, a list of { left=, right= } in mm; in 3-D the fraction of the "
-      .. "contact area that sticks. Empty or 0 in gross slip. The position of an edge has an error of 0.15 element "
-      .. "widths, or 0.3 if fewer than six elements stick. In 3-D the stick radius under a ball is half_width times "
-      .. "the square root of the fraction." },
+      .. "contact area that sticks. In gross slip the list is empty, or the fraction 0. The position of an edge "
+      .. "has an error of 0.15 element widths, or 0.3 if fewer than six elements stick. In 3-D the radius of the "
+      .. "stick zone under a ball is half_width times the square root of the fraction." },
   { "contact.shear", kind = "method", values = { "cylinder", "plate" },
     use = 'c:shear("cylinder" | "plate")', default = '"cylinder"',
-    text = "Shear traction at the surface nodes of a body, { x=, q= } in mm and MPa: on the cylinder along +x, on "
-      .. "the plate along -x; |q| is at most friction times p. In 3-D c:shear() is the map of |q| on the upper body, "
-      .. 'c:shear("x") and c:shear("z") are maps of its components, c:shear{ z=0 } is a section { x=, q=, qz= }.' },
+    text = "Shear traction at the surface nodes of a body, lists { x=, q= } in mm and MPa. q is positive along +x "
+      .. "on the cylinder and along -x on the plate; |q| is at most friction times the pressure. In 3-D c:shear() "
+      .. 'is the map of |q| on the upper body, c:shear("x") and c:shear("z") are maps of its components, c:shear{ '
+      .. "z=0 } is a section { x=, q=, qz= }." },
   { "contact.slip", kind = "method", use = "c:slip()",
-    text = "Slip since first contact, { x=, s= } in mm: displacement of the plate's surface along +x relative to "
-      .. "the cylinder's nodes. Nodes out of contact are included. In 3-D a map of its magnitude; "
-      .. 'c:slip("x") and c:slip("z") are maps of its components, c:slip{ z=0 } is a section { x=, s=, sz= }.' },
+    text = "Slip since first contact, lists { x=, s= } in mm: displacement of the plate's surface along +x "
+      .. "relative to the cylinder's nodes. Nodes out of contact are included. In 3-D c:slip() is a map of the "
+      .. 'magnitude of slip, c:slip("x") and c:slip("z") are maps of its components, c:slip{ z=0 } is a section { '
+      .. "x=, s=, sz= }." },
   { "contact.stress", kind = "method", class = "stress", use = "c:stress()",
-    text = "Displacements and stresses inside both bodies, for plot.stress, export.vtk and export.csv. In 3-D: "
-      .. "stresses in a plane below the surface, c:stress{ y=-0.05 }, or in a section down to a depth of three "
-      .. 'half widths, c:stress{ z=0 } (the default) or { x=0 }; body="lower" chooses the body. The result has maps sxx, syy, '
-      .. "szz, sxy, syz, sxz and mises in MPa for plot.map; the second axis of a section is y. The largest von "
-      .. "Mises stress m of f = c:stress() in 2-D and its depth: local m, depth = 0; for i, s in "
-      .. "ipairs(f.plate.mises) do if s > m then m, depth = s, -f.plate.y[i] end end." },
+    text = "Displacements and stresses inside both bodies, for plot.stress, export.vtk and export.csv. In 3-D the "
+      .. "result has the stresses in one plane of one body: c:stress{ y=-0.05 } below the surface, or a section "
+      .. 'down to a depth of three half widths, c:stress{ z=0 } (the default) or { x=0 }; body="lower" chooses the '
+      .. "body. Its maps sxx, syy, szz, sxy, syz, sxz and mises in MPa are for plot.map; the second axis of a "
+      .. "section is y. For f = c:stress() in 2-D this loop computes the largest von Mises stress m of the plate "
+      .. "and its depth: local m, depth = 0; for i, s in ipairs(f.plate.mises) do if s > m then m, depth = s, "
+      .. "-f.plate.y[i] end end." },
   { "contact.close", kind = "method", use = "c:close()",
-    text = "Frees the contact now instead of at the next garbage collection." },
+    text = "Frees the memory of the contact now instead of at the next garbage collection." },
   { "stress", kind = "object", use = "f = c:stress()",
-    text = "Fields of both bodies, f.cylinder and f.plate: lists x, y (nodes, mm), ux, uy (displacements, mm), "
-      .. "mises, principal (the largest tension), shear (the largest in the plane), sxx, syy, szz, sxy (MPa), "
-      .. "elements (four node numbers each). The error is of second order in the element size. At smooth edges of "
-      .. "the contact the pressure follows the square-root law (error 2 % of the largest pressure at elements of "
-      .. "20 um, 9 % with friction 0.6); at kinks of scars nodal values are used." },
-  { "stress.cylinder", kind = "field", text = "Fields of the cylinder, lists by name." },
-  { "stress.plate", kind = "field", text = "Fields of the plate, lists by name." },
+    text = "Displacements and stresses of both bodies, f.cylinder and f.plate. Each has lists x, y (nodes, mm), "
+      .. "ux, uy (displacements, mm), mises (von Mises stress), principal (the largest tension), shear (the "
+      .. "largest in the plane), sxx, syy, szz, sxy (all stresses in MPa) and elements (four node numbers each). "
+      .. "The error is of second order in the element size. Near a smooth edge of the contact, where the pressure "
+      .. "follows a square-root law, the error of stresses is 2 % of the largest pressure on elements of 20 um, or "
+      .. "9 % with friction 0.6. At edges of scars the nodal pressures are used without this law." },
+  { "stress.cylinder", kind = "field", text = "Displacements and stresses of the cylinder, as lists by name." },
+  { "stress.plate", kind = "field", text = "Displacements and stresses of the plate, as lists by name." },
   { "stress.contact", kind = "field", class = "contact", text = "The contact from which the stresses were "
     .. "computed." },
 
   -- --- wear -----------------------------------------------------------------------------------
   { "wear", kind = "constructor", use = "w = wear{ alpha=0.5, stroke=0.11, distance=1320 }",
-    text = "A wear run: two sliding surfaces lose material by Archard's local law, h = k_b times the integral of p "
-      .. "ds at every point of both bodies (Eq. 13): h is the wear depth, p the pressure, s the slip. k_b is k_c = "
-      .. "alpha k for the cylinder and k_p = (1 - alpha) k for the plate (Eq. 20).\n\nThe defaults are the "
-      .. "reference case: a steel cylinder of radius 10 mm under 100 N, stroke 0.11 mm, alpha 0.5. w:step() and "
-      .. "w:run() start the computation." },
+    text = "A wear run: two sliding surfaces lose material by Archard's local law. At every point of both bodies "
+      .. "the wear depth h is the wear coefficient of the body times the integral of the pressure p over the slip "
+      .. "s (Eq. 13). The coefficients are k_c = alpha k for the cylinder and k_p = (1 - alpha) k for the plate "
+      .. "(Eq. 20).\n\nThe defaults are the reference case: a steel cylinder of radius 10 mm under 100 N, stroke "
+      .. "0.11 mm, alpha 0.5. w:step() and w:run() start the computation." },
   { "wear{loading.x}", type = "function(t) or list", unit = "mm",
     text = "Position of the plate during the cycle: a function of the time t from 0 to 1, or a list of values." },
   { "wear{loading.load}", type = "function(t), list or number", unit = "N",
-    default = "load of the run", text = "Normal load during the cycle; 0: no contact, no wear." },
+    default = "load of the run", text = "Normal load during the cycle; 0 means no contact and no wear." },
   { "wear{loading.t}", type = "list",
     text = "Increasing times of the values in the lists, in any unit; the first is the start of the cycle "
       .. "(t = 0), the last its end (t = 1). Default: equal intervals." },
   { "wear{loading.increments}", type = "whole number >= 1", default = 100,
-    text = "Number of equal increments of the cycle, at which functions are evaluated and lists interpolated. If "
-      .. "it is omitted, each interval of a list is an increment, and functions are evaluated at the times of the "
-      .. 'list; wear{ increments="auto" } may merge increments.' },
+    text = "Number of equal increments of the cycle. Functions are evaluated and lists are interpolated at these "
+      .. "increments. If the number is omitted, each interval of a list is an increment, and functions are "
+      .. 'evaluated at the times of the list; wear{ increments="auto" } may merge increments.' },
   { "wear{loading.cycles}", type = "number > 0", unit = "cycles",
     text = "Number of repetitions of the cycle. Omit it in the last block, which continues to the end of the run." },
   { "wear{loading.periodic}", type = "boolean", default = true,
     text = "If true, the cycle repeats. If false, it is a single history that does not repeat, with a geometry "
       .. "update at every increment (Eqs. 4-8)." },
   { "wear{local_factor.vector}", type = "function(body, xs, ps, state, zs)",
-    text = "Function that computes the factors of all nodes in contact in one call, for factors that depend "
-      .. "on neighbours. xs and ps are lists (in 3-D zs too); the result is the list of factors and may be "
-      .. "ps itself." },
+    text = "Function that computes the factors of all nodes in contact in one call, for factors that depend on "
+      .. "neighbours. xs and ps are lists of the positions and pressures of the nodes; in 3-D zs is the list of "
+      .. "positions across the motion. The function returns the list of factors, for which it may use the list ps." },
   { "wear{worn.cylinder}", type = "function(x) or table { x=, h= }", unit = "mm",
     text = "Initial wear depth of the cylinder against x, as in contact{worn.cylinder}." },
   { "wear{worn.plate}", type = "function(x) or table { x=, h= }", unit = "mm",
     text = "Initial wear depth of the plate against x, as in contact{worn.plate}." },
 
   { "wear.step", kind = "method", use = "w:step(n)",
-    text = "Makes n geometry updates (default 1) of `jump` cycles each; the last one is shorter if the run reaches "
-      .. "its distance. Returns the record of the last update. If a step fails, the run is unchanged." },
+    text = "Makes n geometry updates (default 1) of `jump` cycles each. If the last update reaches the end of the "
+      .. "run, it is shorter. Returns the record of the last update. If a step fails, the run is unchanged." },
   { "wear.run", kind = "method", use = "w:run{ distance= }",
-    text = "Runs to a distance (default: the distance of the definition), or stops exactly at a depth, volume, "
-      .. "pressure or width: w:run{ depth={ plate=20e-3 } } stops at 20 um. Ctrl-C stops after the current step; "
-      .. "another w:run() continues with the same results." },
+    text = "Continues the run to a distance (default: the distance of the definition), or stops it exactly at a "
+      .. "depth, volume, pressure or width: w:run{ depth={ plate=20e-3 } } stops at 20 um. Ctrl-C stops after the "
+      .. "current step; another w:run() continues with the same results." },
   { "wear.run{distance}", type = "number > 0", unit = "mm",
     text = "Travelled distance, counted from the start of the run, at which the run stops; default: the "
       .. "distance of the definition." },
   { "wear.run{cycles}", type = "number > 0", unit = "cycles",
     text = "Number of cycles, counted from the start of the run, at which the run stops." },
   { "wear.run{progress}", type = "boolean or function(w)",
-    text = "true (default on a terminal): shows a progress bar; false: shows nothing; a function is called after "
-      .. "every step and ends the run if it returns true." },
+    text = "true (default on a terminal): shows a progress bar; false: shows nothing. A function is called with "
+      .. "the run after every step and ends the run if it returns true." },
   { "wear.run{depth}", type = "table { cylinder=, plate= }", unit = "mm",
-    text = "Stops exactly at this wear depth of a body, or at the distance if that comes first. With this or another "
-      .. 'criterion, run returns a second value with the reason: "depth.cylinder", "distance", ...' },
+    text = "Stops exactly at this wear depth of a body, or at the distance if the run reaches it first. With this "
+      .. 'or another criterion, w:run returns the reason as a second value: "depth.cylinder", "distance", ...' },
   { "wear.run{volume}", type = "table { cylinder=, plate=, total= }", unit = "mm3",
-    text = "Stops exactly at this wear volume of a body or of both (total)." },
+    text = "Stops exactly at this wear volume of a body, or of both bodies (total)." },
   { "wear.run{depth.cylinder}", type = "number > 0", unit = "mm", text = "Wear depth of the cylinder at "
     .. "which the run stops." },
   { "wear.run{depth.plate}", type = "number > 0", unit = "mm", text = "Wear depth of the plate at which the "
@@ -322,54 +332,56 @@ return {
   { "wear.run{half_width}", type = "number > 0", unit = "mm",
     text = "Stops exactly where the half width of the contact reaches this value, from above or from below." },
   { "wear.run{stop_when}", type = "function(w)",
-    text = "Called with the run after every step; the run stops if it returns true." },
+    text = "Function that is called with the run after every step; the run stops if the function returns true." },
   { "wear.set", kind = "method", takes = "wear", class = "wear", use = "w:set{ alpha=0.3, load=200 }",
-    text = "Changes fields of the definition between two steps: any field of wear{} except model, geometry and "
-      .. "worn, and mesh={ ... }, to which the worn shapes are transferred. Other fields, the worn shapes and the "
-      .. "history are kept. A new loading starts with its first block; loading=false or stroke= restores a "
+    text = "Changes fields of wear{} between two steps: any field except model, geometry and worn. mesh={ ... } "
+      .. "makes new meshes, to which the worn shapes are transferred. Other fields, the worn shapes and the "
+      .. "history do not change. A new loading starts with its first block; loading=false or stroke= restores a "
       .. "constant stroke without loading. distance and cycles are counted from the start of the run. Returns the "
       .. "run." },
   { "wear.set{mesh}", type = "table { size=, fineness=, rows=, zone=, ... }",
-    text = "New meshes of both bodies, with fields of model{ mesh= }; omitted fields keep their values. "
-      .. "With a new size and without rows, the depth of the wear box is kept." },
+    text = "New meshes of both bodies, with fields of model{ mesh= }; omitted fields do not change. With a new "
+      .. "size and without rows, the depth of the wear box does not change either." },
   { "wear.clone", kind = "method", class = "wear", use = "w:clone()",
     text = "An independent copy of the run, for example to continue it with two different loads." },
   { "wear.close", kind = "method", use = "w:close()",
-    text = "Frees the run now instead of at the next garbage collection." },
+    text = "Frees the memory of the run now instead of at the next garbage collection." },
   { "wear.contact", kind = "method", class = "contact", use = "w:contact()",
     text = "The contact of the present surfaces without friction, under the load of the definition and with the "
-      .. "plate in its middle position (x = 0). contact{ model=w.model, worn=w, friction=w.friction } solves it "
-      .. "with friction." },
+      .. "plate in its middle position (x = 0). contact{ model=w.model, worn=w, friction=w.friction } is the same "
+      .. "contact with friction." },
   { "wear.save", kind = "method", use = "w:save(path)",
     text = "Writes the run to a run file; wear.open continues it. A run already saved in the file is replaced; "
-      .. "other files are refused. If the program is killed, a run that was not saved is lost: w:run{ progress = "
-      .. "function(w) if w.update % 10 == 0 then w:save(path) end end } saves it at every tenth update." },
+      .. "other files are refused. If the program is killed, a run that was not saved is lost. w:run{ progress = "
+      .. "function(w) if w.update % 10 == 0 then w:save(path) end end } saves the run at every tenth update." },
   { "wear.open", kind = "function", class = "wear", use = "w = wear.open(path, case)",
-    text = 'Reads a run written by w:save("run.archard"), or a case of a study by its number; w:run() then '
-      .. "continues it with the same results, w:run{ cycles=20000 } continues a finished run. Functions of the "
+    text = 'Reads a run written by w:save("run.archard"), or a case of a study by its number. w:run() continues '
+      .. "the run with the same results, w:run{ cycles=20000 } continues a finished run. Functions of the "
       .. "definition are not stored and must be given again: wear.open(path, { k = f }). If the program was "
       .. "killed, the run continues from its last w:save." },
   { "wear.profile", kind = "method", values = { "cylinder", "plate" },
     use = 'w:profile("cylinder" | "plate")',
-    text = "Worn profile of a body, { x=, h=, y=, worn_x=, way= } in mm: unworn position x and wear depth h (summed "
-      .. "along the normals, positive into the body) of each node, present position (worn_x, y), and length `way` of "
-      .. 'the vector sum of the wear. export.csv(w:profile("plate"), "plate.csv") writes it.' },
+    text = "Worn profile of a body, lists { x=, h=, y=, worn_x=, way= } in mm. For each surface node they have the "
+      .. "unworn position x, the wear depth h (summed along the normals, positive into the body), the present "
+      .. 'position (worn_x, y), and the length `way` of the vector sum of the wear. export.csv(w:profile("plate"), '
+      .. '"plate.csv") writes the profile to a file.' },
   { "wear.pressure", kind = "method", values = { "cylinder", "plate" },
     use = 'w:pressure("cylinder" | "plate")',
-    text = "Pressure on a body with the plate at x = 0 under the nominal load, { x=, p= } in mm and MPa." },
+    text = "Pressure on a body with the plate at x = 0 under the nominal load, lists { x=, p= } in mm and MPa." },
   { "wear.combined", kind = "method", use = "w:combined()",
-    text = "Sum of both profiles h_c + h_p (Eq. 31), { x=, h= } in mm." },
+    text = "Sum of the wear depths of both bodies, h_c + h_p, along x (Eq. 31), lists { x=, h= } in mm." },
   { "wear.local_partition", kind = "method", use = "w:local_partition()",
-    text = "Local wear depth partition h_c / (h_c + h_p) along x (Eq. 30), { x=, value= }." },
+    text = "Local partition of the wear depth, h_c / (h_c + h_p), along x (Eq. 30), lists { x=, value= }; h_c and "
+      .. "h_p are the depths of the cylinder and the plate." },
   { "wear.roughness", kind = "method", values = { "cylinder", "plate" },
     use = 'w:roughness("cylinder" | "plate")', default = '"cylinder"',
-    text = "Numerical oscillation of a profile from node to node (sawtooth), divided by its depth [-]: 1 for a "
-      .. "sawtooth as high as the depth, below 1e-4 for a smooth profile. Larger values indicate that a fixed jump is "
-      .. 'too large: use jump = "auto". The roughness of measured surfaces is profile.roughness.' },
+    text = "Numerical oscillation of a profile from node to node (sawtooth), divided by the depth of the profile: "
+      .. "1 for a sawtooth as high as the depth, below 1e-4 for a smooth profile. Larger values indicate that a "
+      .. 'fixed jump is too large: use jump = "auto". The roughness of measured surfaces is profile.roughness.' },
   { "wear.map", kind = "method", use = 'w:map("ball", "depth" | "height" | "pressure")', result = "map",
     text = "In 3-D: a map of a body over x and z: wear depth [mm] (default), worn height [mm], or pressure [MPa] "
-      .. "under the nominal load with the plate at x = 0. For sections see w:profile(body, { z = 0 }) or { x = 0 "
-      .. "}." },
+      .. "under the nominal load with the plate at x = 0. w:profile(body, { z = 0 }) and w:profile(body, { x = 0 "
+      .. "}) are sections." },
   { "wear.stability", kind = "method", use = "w:stability()",
     text = "Returns { eigenvalue=, jump_limit= }: the largest growth rate of ripples [1/cycle], linearised at the "
       .. "present state, and the largest stable jump, 2 / eigenvalue [cycles]. Explicit updates with a larger jump "
@@ -378,32 +390,32 @@ return {
     text = "For runs with friction: the fretting loop of a periodic cycle on the present surfaces, { cycle=, x=, "
       .. "tangential=, energy=, stick_width=, gross= }. cycle is the number of cycles of the run so far, x the "
       .. "list of positions of the plate's base [mm], tangential the list of tangential forces [N], energy the "
-      .. "energy dissipated in the cycle [N mm], stick_width the width of the contact that never slips [mm], and "
-      .. "gross is true in gross slip. The energy is more accurate than the loop's area, which omits slip between "
-      .. "nodes in partial slip, and in gross slip contains the surface strain under pressure (0.12 % at 591 MPa "
+      .. "energy dissipated in the cycle [N mm], stick_width the width of the contact that never slips [mm]; gross "
+      .. "is true in gross slip. The energy is more accurate than the area of the loop: in partial slip the area "
+      .. "omits slip between nodes, in gross slip it includes the surface strain under pressure (0.12 % at 591 MPa "
       .. "on steel). The dissipated energy of a measured loop is its area: sum over its points of (q[i] + q[i-1]) "
-      .. "/ 2 * (x[i] - x[i-1]). plot.loop(w) draws the loop; study.fretting_map computes the transition to gross "
-      .. "slip." },
+      .. "/ 2 * (x[i] - x[i-1]), with forces q and positions x. plot.loop(w) draws the loop; study.fretting_map "
+      .. "computes the transition to gross slip." },
   { "wear.energy", kind = "field", unit = "N mm", text = "Energy dissipated by friction since the start of the run." },
   { "wear.cycle_energy", kind = "field", unit = "N mm",
     text = "Energy dissipated by a periodic cycle on the present surfaces; 0 before the first update." },
   { "wear.largest_shear", kind = "field", unit = "N",
-    text = "Largest tangential force in a periodic cycle on the present surfaces. On curved or worn "
-      .. "surfaces it may exceed friction times the load." },
+    text = "Largest tangential force in a periodic cycle on the present surfaces. On curved or worn surfaces it "
+      .. "may exceed the coefficient of friction times the load." },
   { "wear.stick_width", kind = "field", unit = "mm",
     text = "Width of the contact that never slips in a periodic cycle on the present surfaces; 0 in gross slip." },
   { "wear.gross", kind = "field",
-    text = "1 if the whole contact slips at some time of a periodic cycle; else 0, also without friction." },
+    text = "1 if the whole contact slips at some time of a periodic cycle, else 0. Without friction it is 0." },
   { "wear.model", kind = "field", class = "model", text = "The model of the run." },
   { "wear.mesh", kind = "field", use = "w.mesh.plate:quality()",
     text = "The worn meshes of cylinder and plate, for w.mesh.plate:quality(), plot.mesh(w) and export. Uniform "
-      .. "wear of the plate does not move its nodes; with moving geometry its layers are shifted toward the "
-      .. "surface instead." },
+      .. 'wear of the plate does not move the nodes of its mesh; with geometry = "moving", it shifts the layers of '
+      .. "the plate toward the surface." },
   { "wear.distance", kind = "field", unit = "mm", text = "Travelled distance so far." },
   { "wear.cycle", kind = "field", unit = "cycles", text = "Number of loading cycles so far." },
   { "wear.update", kind = "field", text = "Number of geometry updates so far." },
   { "wear.solutions", kind = "field",
-    text = "Number of contact problems solved; mirrored halves of symmetric strokes are included." },
+    text = "Number of contact problems solved so far; the mirrored halves of symmetric strokes count too." },
   { "wear.done", kind = "field", text = "True if the run has reached its distance." },
   { "wear.p_center", kind = "field", unit = "MPa",
     text = "Pressure at the centre, with the plate at x = 0 under the nominal load." },
@@ -440,24 +452,25 @@ return {
   { "wear.vector_depth", kind = "field", unit = "mm",
     text = "Largest length of the vector sum of the wear (Eq. 8) of each body; depth is the scalar sum (Eq. 6)." },
   { "wear.volume", kind = "field", unit = "mm3",
-    text = "Volumes worn from the bodies in the run w: w.volume.plate, w.volume.cylinder and w.volume.total, with "
-      .. "the names of the bodies, such as w.volume.ball in 3-D. In 2-D over the thickness of the model (1 mm by default), in "
-      .. "3-D and for bodies of revolution from the whole scar. Initial scars (worn=) are not included in volumes; "
-      .. "they are included in depths." },
+    text = "Wear volumes of the bodies: w.volume.plate, w.volume.cylinder and w.volume.total, or with the names of "
+      .. "the bodies, such as w.volume.ball in 3-D. In 2-D they refer to the thickness of the model (1 mm by "
+      .. "default), in 3-D and for bodies of revolution to the whole scar. Initial scars (worn=) are included in "
+      .. "depths, not in volumes." },
   { "wear.volume.cylinder", kind = "field", unit = "mm3", text = "Wear volume of the cylinder." },
   { "wear.volume.plate", kind = "field", unit = "mm3", text = "Wear volume of the plate." },
-  { "wear.volume.total", kind = "field", unit = "mm3", text = "Wear volume of both bodies together; k L_N d for "
-    .. "constant k and load L_N over the distance d." },
+  { "wear.volume.total", kind = "field", unit = "mm3",
+    text = "Wear volume of both bodies together. For constant k and load L_N it is k L_N d after the distance d." },
   { "wear.depth_partition", kind = "field",
     text = "Wear depth partition factor alpha-tilde: the cylinder's share of the sum of both largest depths (Eq. "
       .. "29)." },
 
   -- --- fields of the definition -----------------------------------------------------------------
   { "wear.stroke", kind = "field", unit = "mm",
-    text = "Stroke: distance between the extreme positions of the plate, in the present block of loading. "
-      .. "The column travel of the history has the stroke of each update." },
-  { "wear.strokes", kind = "field", text = "Number of strokes per cycle, r of Eq. (21): 2, or 1 for a "
-    .. "stroke of 2 radius, where the plate passes in one direction only." },
+    text = "Stroke in the present block of loading: distance between the extreme positions of the plate. The "
+      .. "column travel of the history has the stroke of each update." },
+  { "wear.strokes", kind = "field",
+    text = "Number of strokes per cycle, r of Eq. (21). It is 2, or 1 if the stroke is twice the radius, because "
+      .. "the plate then passes in one direction only." },
   { "wear.k_cylinder", kind = "field", unit = "mm2/N",
     text = "Wear coefficient of the cylinder, alpha k, in the last update." },
   { "wear.k_plate", kind = "field", unit = "mm2/N",
@@ -468,19 +481,19 @@ return {
   { "wear.update_at", kind = "field", text = 'When the geometry is updated, "cycle" or "increment": see '
     .. "wear{update}." },
   { "wear.loading", kind = "field",
-    text = "The sampled blocks of loading, each a table { x=, load=, cycles=, periodic= }; false for a constant "
-      .. "stroke without loading." },
+    text = "The blocks of loading with their sampled values, each a table { x=, load=, cycles=, periodic= }; false "
+      .. "for a constant stroke without loading." },
   { "wear.local_factor", kind = "field", text = "The function local_factor of the definition, or false." },
   { "wear.functions", kind = "field",
-    text = 'Names of the fields that are functions, such as "k" or "local_factor". Functions are not stored '
-      .. "in files." },
+    text = 'Names of the fields that are functions, such as "k" or "local_factor". Run files do not contain '
+      .. "functions." },
 
   -- --- state ----------------------------------------------------------------------------------
   { "state", kind = "object", use = "wear{ k = function(state) ... end }",
-    text = "The state of the run. It is the argument of functions in the definition, which can read it only during "
-      .. "the call. Functions k, alpha and friction are called several times in an update, with predicted "
-      .. "distance, cycle, depths and volumes; for jump and local_factor the state is the last record of the "
-      .. "history." },
-  { "state.depth", kind = "field", unit = "mm", text = "Largest wear depths, { cylinder=, plate= }." },
-  { "state.volume", kind = "field", unit = "mm3", text = "Wear volumes, { cylinder=, plate=, total= }." },
+    text = "State of the run, the argument of functions in the definition. They can read it only during the call. "
+      .. "Functions k, alpha and friction are called several times in an update, with predicted distance, cycle, "
+      .. "depths and volumes; for jump and local_factor the state is the last record of the history." },
+  { "state.depth", kind = "field", unit = "mm", text = "Largest wear depth of each body, { cylinder=, plate= }." },
+  { "state.volume", kind = "field", unit = "mm3",
+    text = "Wear volume of each body and of both, { cylinder=, plate=, total= }." },
 }

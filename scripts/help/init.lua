@@ -1,6 +1,6 @@
--- help() explains objects, fields and methods. The entries are in the other files of this folder, and the
--- topics are in topics.lua. This file searches the entries and shows them. Completion uses the entries for
--- names that no table contains, and the manual page is made from them.
+-- help() explains objects, fields and methods. This file searches the help entries and shows them. The
+-- entries are in the other files of this folder, the topics in topics.lua. Completion at the prompt uses the
+-- entries for names that no table contains, and the manual page is generated from the entries.
 --
 -- Addresses of entries: "wear" is an object, "wear.step" is a method or field of this object, "wear{jump}"
 -- is a field of the definition table of wear{}, and "wear{loading.x}" is a field of a table inside that
@@ -19,8 +19,9 @@ local entries     -- entries by address
 local ordered     -- entries in the order of the files
 local topics = {}  -- topics by name in lower case, and as a list in the order of the overview
 
--- Splits the address of an entry, such as "wear.step" or "wear{k}", into the owner ("wear"), the name within the owner,
--- and a flag: true for a field of the owner's definition table, which is in braces.
+-- Splits the address of an entry, such as "wear.step" or "wear{k}". Returns the owner ("wear"), the name
+-- within the owner ("step" or "k"), and true for a name in braces, which is a field of the owner's definition
+-- table.
 local function split(address)
   local owner, option = address:match("^(.-){(.*)}$")
   if owner then return owner, option, true end
@@ -63,9 +64,9 @@ end
 
 -- --- functions for completion and the manual --------------------------------------------------
 
--- Returns the entry at an address, or nil if there is none. Fields of an entry: address, name, owner, kind, type,
--- unit, default, values, text; class: class of its value or result; takes: name of an object, such as "plot", whose
--- options the table of this function or field also accepts; use: an example.
+-- Returns the entry at an address, or nil if there is none. Fields of an entry: address, name, owner, kind,
+-- type, unit, default, values, text; class: class of the value or result; takes: name of an object, such as
+-- "plot", whose options this function or field also accepts in its table; use: an example.
 function help.entry(address)
   load_entries()
   return entries[address]
@@ -92,8 +93,8 @@ function help.members(address)
   return list
 end
 
--- Returns the entries of the fields in the definition table of `address`, or in the table at `path` within
--- it.
+-- Returns the entries of the fields in the definition table of `address`, or in an inner table of it at
+-- `path`.
 function help.definition(address, path)
   local list = {}
   for _, entry in ipairs(help.all()) do
@@ -110,8 +111,8 @@ local function names_fit(address, path)
 end
 
 -- Follows a path into tables with the fields of another definition, such as wear{ model={ ... } } or the
--- options of plot{} in plot.pressure(w, { ... }). Returns the address of that definition and the rest of
--- the path within it. Returns nil for a field that cannot be changed in an existing object.
+-- options of plot{} in plot.pressure(w, { ... }). Returns the address of the other definition and the rest of
+-- the path inside it. Returns nil for a field that cannot be changed in an existing object.
 local function follow(address, path)
   local at = address
   local rest = ""
@@ -130,8 +131,8 @@ local function follow(address, path)
   return at, rest
 end
 
--- Returns the entries of all fields that a table may have, including the fields of another definition.
--- Fields that cannot be changed in an existing object are omitted.
+-- Returns the entries of all fields that the table at `path` in the definition of `address` may have,
+-- including fields of another definition. Fields that cannot be changed in an existing object are omitted.
 function help.fields(address, path)
   if not names_fit(address, path) then return {} end
   load_entries()
@@ -214,7 +215,7 @@ local function by_object(name)
   return class and entries[class .. "." .. member]
 end
 
--- Returns the entry "contact.slip" for the name "c.slip", because the texts write c for a contact.
+-- Returns the entry "contact.slip" for the name "c.slip", because the help texts call a contact c.
 local function by_letter(name)
   local letter, member = name:match("^(%l)%.(.+)$")
   for _, entry in ipairs(letter and ordered or {}) do
@@ -264,8 +265,8 @@ local function everything()
   return table.move(examples, 1, #examples, #list + 1, list)
 end
 
--- Returns the topics, entries and examples that contain all words of a text or are listed for it as a synonym, the
--- best first, and the number of good answers among them.
+-- Returns the topics, entries and examples that contain all words of a text or are listed for the text as a
+-- synonym. The best are first. Also returns the number of good answers among them.
 function help.matches(text)
   if type(text) ~= "string" then return {}, 0 end
   return search.find(everything(), text)
@@ -285,8 +286,8 @@ local function nearest(name)
   return names.nearest(name, known) or names.nearest(name:match("[^.]+$") or name, known)
 end
 
--- Returns the entry that answers a question best as text, followed by a list of further entries, or nil if no
--- entry does.
+-- Returns a text: the entry that best answers a question, and a list of further entries. Returns nil if no
+-- entry answers the question.
 local function answer(question)
   local found = search.answers(everything(), question)
   local best = table.remove(found, 1)
@@ -315,7 +316,8 @@ local function explain_name(name)
   found, sure = help.matches(name)
   if sure > 0 then return show.found(found, name, math.min(sure, 12)) end
   local near = nearest(spoken(name))
-  local hint = #found > 0 and ("help.search %q finds parts of words"):format(name) or "help() lists the objects and topics"
+  local hint = #found > 0 and ("help.search %q finds entries with parts of these words"):format(name)
+    or "help() lists the objects and topics"
   return ("no help for %q%s; %s"):format(name, near and (", did you mean %q?"):format(near) or "", hint)
 end
 

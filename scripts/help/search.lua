@@ -7,14 +7,14 @@ local search = {}
 -- cross_shear.
 function search.plain(text) return (text:lower():gsub("[-_]", " ")) end
 
--- Returns the words of a phrase in plain form, without the s of a plural.
+-- Returns a list of the words of a phrase in plain form, without the s of a plural.
 function search.words(text)
   local words = {}
   for word in search.plain(text):gmatch("%S+") do words[#words + 1] = word:gsub("^(%a%a%a+[^aisu])s$", "%1") end
   return words
 end
 
-local meanings -- address lists of the synonyms, by their words; nil before the first search
+local meanings -- lists of addresses, indexed by the words of a synonym; nil before the first search
 local function synonyms()
   if not meanings then
     meanings = {}
@@ -65,7 +65,7 @@ local function rank(words, joined, entry)
   end
 end
 
--- Returns a table with the position of each address in the list of a synonym.
+-- Returns the position of each address in the list of a synonym, as a table indexed by address.
 local function by_synonym(joined)
   local positions = {}
   for position, address in ipairs(synonyms()[joined] or {}) do
@@ -123,7 +123,7 @@ local function subject_of(question)
 end
 
 -- Sets the weight of each word, which is larger for words that fewer texts contain. Returns the sum of the weights of
--- the words that a text contains.
+-- all words that at least one text contains.
 local function weigh(words, texts)
   local sum = 0
   for _, word in ipairs(words) do
@@ -137,7 +137,8 @@ local function weigh(words, texts)
   return sum
 end
 
--- Returns the factor of an entry's score. Topics, objects and functions explain more than single fields.
+-- Returns the factor by which an entry's score is multiplied. It is larger for topics, objects and functions,
+-- because they explain more than single fields.
 local function importance(entry)
   if entry.kind == "topic" then return 1.3 end
   if entry.kind == "example" then return 0.8 end
@@ -157,7 +158,8 @@ local function score_of(words, entry, text, mean_length)
   return importance(entry) * score
 end
 
--- Returns a table with scores of the addresses of each synonym whose words all occur in the question.
+-- Returns the scores that synonyms add to entries, as a table indexed by address. A synonym counts if all its
+-- words occur in the question.
 local function scores_by_synonym(words, question)
   local of_synonym, scores = 2, {}
   question = search.plain(question)

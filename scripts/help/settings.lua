@@ -20,8 +20,8 @@ local function series_of(class, setting)
   local address = ("%s{%s."):format(class, setting.path)
   return {
     { address .. "distance}", type = "list", unit = "mm",
-      text = ("Increasing distances of a table; %s is linear between them."):format(setting.name) },
-    { address .. "value}", type = "list", unit = setting.unit, text = "Values at these distances." },
+      text = ("Distances of the table, increasing; %s is interpolated linearly between them."):format(setting.name) },
+    { address .. "value}", type = "list", unit = setting.unit, text = "Values at the distances of the table." },
   }
 end
 
@@ -36,8 +36,8 @@ local function options_of(class)
   return list
 end
 
--- Returns entries for the settings that are also fields of the object, such as wear.alpha. Bodies and methods
--- have no such fields.
+-- Returns entries for those settings that the object also has as fields, such as wear.alpha. Bodies and
+-- methods have no such fields.
 local function fields_of(class)
   local list = {}
   if class == "body" or class:find(".", 1, true) then return list end
@@ -57,7 +57,7 @@ local function unit_of(column) return column.unit ~= "" and column.unit or nil e
 local function sentence(text) return text:sub(1, 1):upper() .. text:sub(2) .. "." end
 
 local function history()
-  local keys, lines = {}, { "Columns by name, with one value for each update, from update 0 (unworn) on:", "" }
+  local keys, lines = {}, { "History columns by name, each with one value per update, starting at update 0 (unworn):", "" }
   for _, column in ipairs(settings.columns) do
     keys[#keys + 1] = column.name
     lines[#lines + 1] = ("  %-16s %s%s"):format(column.name,
@@ -80,7 +80,7 @@ local function columns_of(class)
   return list
 end
 
--- Returns the written entries of options inside another option, such as "wear{loading.x}" inside
+-- Returns the entries in help/engine.lua for options inside another option, such as "wear{loading.x}" inside
 -- "wear{loading}".
 local function inside(written, option)
   local start = option:sub(1, -2) .. "."
@@ -94,8 +94,8 @@ end
 local made = { wear = columns_of "wear", state = columns_of "state" }
 table.insert(made.wear, 1, history())
 
--- Returns the entries that follow the entry of a class: its options, each followed by the written options
--- inside it, and its fields.
+-- Returns the entries that follow the entry of a class: its options, each with the options inside it from
+-- help/engine.lua, and its fields.
 local function behind(class, written)
   local list = {}
   for _, option in ipairs(settings[class] and options_of(class) or {}) do
@@ -107,8 +107,8 @@ local function behind(class, written)
   return list
 end
 
--- Returns the written entries together with the generated entries. A written entry replaces a generated
--- entry with the same address.
+-- Returns the entries of help/engine.lua (`written`) together with the generated entries. A written entry
+-- replaces a generated entry with the same address.
 return function(written)
   local known, joined, placed = {}, {}, {}
   for _, entry in ipairs(written) do known[entry[1]] = true end

@@ -36,8 +36,7 @@ local function fill(text, width, margin)
   return (table.concat(lines, "\n"):gsub("\n+$", ""))
 end
 
--- Returns the type or values, the unit and the default of an entry as text. Items that the entry does not have are
--- omitted.
+-- Returns the type or the values, the unit and the default of an entry as text, as far as the entry has them.
 function show.facts(entry)
   local facts = {}
   if entry.type then
@@ -61,8 +60,8 @@ function show.first_sentence(text, most)
   return shortened(flat:match("^(.-[.])%s%u") or flat, most)
 end
 
--- Returns how many of the words a sentence contains. A word with an ending counts too, such as "wears" for
--- "wear".
+-- Returns how many of the given words a sentence contains. A word with an ending also counts, such as "wears"
+-- for "wear".
 local function count_words(words, sentence)
   local count = 0
   sentence = " " .. search.plain(sentence)
@@ -83,8 +82,8 @@ local function best_sentence(text, words, most)
   return sentence and shortened(sentence:match("^(.-)%s*$"), most) or show.first_sentence(text, most)
 end
 
--- Returns a titled list of entries as text, with the name, the type, unit and default, and the first sentence of each
--- entry.
+-- Returns a list of entries as text, with a title. Each entry has its name, the first sentence of its text,
+-- and its type, unit and default.
 local function listing(title, entries, width)
   if #entries == 0 then return nil end
   width = width or page_width()
@@ -104,8 +103,8 @@ end
 
 show.listing = listing
 
--- Returns the first `most` of a list of entries with addresses as names. Their texts are the sentences that
--- sentence_of(text) returns.
+-- Returns the first `most` entries of a list as { name=, text= }, where the name is the address of the entry
+-- and the text is sentence_of(text of the entry).
 local function shown_by_address(entries, most, sentence_of)
   local list = {}
   for i = 1, math.min(#entries, most) do
@@ -143,7 +142,7 @@ local function of_kind(entries, wanted)
   return list
 end
 
--- Returns the whole help text of an entry, including its fields and functions. help: the module
+-- Returns the whole help text of an entry, including its fields and functions. help: the module in
 -- help/init.lua.
 function show.entry(help, entry)
   local width = page_width()

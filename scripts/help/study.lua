@@ -6,33 +6,35 @@ return {
   { "study", kind = "constructor",
     use = "s = study{ base={...}, vary={ alpha={0, 0.5, 1}, stroke={0.11, 0.22} } }",
     text = "Many wear runs: a case for each combination of the varied fields, all with the fields of base. s:run() "
-      .. 'computes them, print(s) shows the results, plot.response(s, { x="stroke", y="volume_plate" }) draws a result '
-      .. "over a field. Results are stored after each case; an interrupted study continues. Without vary and cases, "
-      .. "base is the only case." },
+      .. 'computes the cases, print(s) shows the results, plot.response(s, { x="stroke", y="volume_plate" }) draws '
+      .. "a result over a field. Results are stored after each case; an interrupted study continues. Without vary "
+      .. "and cases, base is the only case." },
   { "study{base}", type = "table", takes = "wear",
     text = "Fields of wear{} that all cases have in common. Functions are refused because they cannot be stored. "
-      .. "Fields of a case override them: tables of fields are merged, lists and numbers are replaced." },
+      .. "Fields of a case override the fields of base: tables of fields are merged, lists and numbers are "
+      .. "replaced." },
   { "study{vary}", type = "table of lists", takes = "wear",
     text = "Fields of wear{} with a list of values each; the cases are all combinations, and the alphabetically "
-      .. 'last name changes fastest. Write a field of an inner table nested or as ["model.mesh.size"]. Short '
-      .. 'names: ["lower.E"] or ["pin.radius"] of a body by its role, name or kind, ["lower.layer1.thickness"] of '
-      .. "a layer, E and nu of both bodies. Cases, samples, fits and sensitivities use the same names." },
+      .. 'last name changes fastest. A field of an inner table is written nested or as ["model.mesh.size"]. There '
+      .. 'are short names: ["lower.E"] or ["pin.radius"] for a body by its role, name or kind, '
+      .. '["lower.layer1.thickness"] for a layer, E and nu for both bodies. Cases, samples, fits and sensitivities '
+      .. "use the same names." },
   { "study{cases}", type = "list of tables", takes = "wear",
-    text = "A list of cases instead of vary, each with its fields of wear{}." },
+    text = "List of cases instead of vary; each case is a table of fields of wear{}." },
   { "study{name}", type = "string", default = '"study"',
     text = "Name of the study in titles and in the run file." },
   { "study{snapshots}", type = "whole number >= 0", default = 6,
-    text = "Number of intermediate surfaces stored for each case, at equal distances, including the unworn "
-      .. "surfaces. The final surfaces are always stored." },
+    text = "Number of intermediate surfaces stored for each case, at equally spaced distances, including the "
+      .. "unworn surfaces. The final surfaces are always stored." },
   { "study{task}", values = { "wear", "converge" }, default = '"wear"',
     text = '"wear" runs each case; "converge" searches for the mesh size, jump and increments that each '
       .. "case needs, as study.converge does." },
   { "study.name", kind = "field", text = "Name of the study." },
-  { "study.file", kind = "field", text = "The run file; nil before the first run." },
+  { "study.file", kind = "field", text = "Path of the run file; nil before the first run." },
   { "study.paper", kind = "function", class = "study", use = "study.paper(base)",
     text = "The 20 cases of the paper: alpha 0, 0.25, 0.5, 0.75, 1 and strokes a, 2a, 4a, 2R (a: unworn half "
-      .. "width, R: radius), with the jump and the increments of Table 1; base has further fields of wear{} for "
-      .. "all of them. On elements smaller than the paper's 20 um the jump is reduced in proportion, because "
+      .. "width, R: radius), with the jump and the increments of Table 1. base contains further fields of wear{} "
+      .. "for all cases. On elements smaller than the paper's 20 um the jump is reduced in proportion, because "
       .. "shorter ripples become unstable at a smaller jump." },
   { "study.trials", kind = "function", class = "study", use = "study.trials(base)",
     text = "The runs of the paper's convergence example (Fig. 8): stroke a (the unworn half width), alpha 0.5, "
@@ -46,32 +48,33 @@ return {
     text = "Merges the run files of the parts (shards) of a study, see study.run{shard}. Missing and duplicate "
       .. "cases are refused." },
   { "study.merge{file}", type = "string", default = '"study.archard"',
-    text = "The file for all cases." },
+    text = "File to which all cases are written." },
   { "study.fretting_map", kind = "function", class = "fretting_map",
     use = "f = study.fretting_map{ load={ 50, 100 }, motion={ 1e-3, 3e-3, 1e-2 } }",
-    text = "Running condition fretting map: for each load and amplitude of motion the regime (stick, partial slip "
-      .. "or gross slip), and at each load the amplitudes of the transitions, from periodic cycles between two "
-      .. "forces. Any force causes some slip at the edges of a smooth contact; the regime is therefore called "
-      .. "stick until slip covers the fraction `annulus` of the width. For 0.1 this is at 19 % of the force "
-      .. "at which the whole contact slides (Cattaneo, Mindlin). The transition to partial slip has an error of 0.5 % for a cylinder (3 % for "
-      .. "different materials, 8 % at a fineness of 0.2) and 1.5 % for a ball; the transition to gross slip has an "
-      .. "error of 0.5 % and 0.2 %. In 3-D `annulus` is the width of the slip annulus as a fraction of the radius; "
-      .. "for 0.1 partial slip then begins at 27 % of the sliding force. Accepts the fields of contact{} too "
-      .. "(worn=, friction=, model=)." },
+    text = "Running condition fretting map: the regime (stick, partial slip or gross slip) for each load and "
+      .. "amplitude of motion, and the amplitudes of the transitions at each load, computed by periodic cycles "
+      .. "between two forces. Any force causes some slip at the edges of a smooth contact; therefore the regime is "
+      .. "called stick until slip covers the fraction `annulus` of the width. For the fraction 0.1, this is at 19 "
+      .. "% of the force at which the whole contact slides (Cattaneo, Mindlin). The transition to partial slip has "
+      .. "an error of 0.5 % for a cylinder (3 % for different materials, 8 % with mesh.fineness = 0.2) and 1.5 % "
+      .. "for a ball. The transition to gross slip has an error of 0.5 % for a cylinder and 0.2 % for a ball. In "
+      .. "3-D `annulus` is the width of the slip annulus as a fraction of the radius; for 0.1 partial slip then "
+      .. "begins at 27 % of the sliding force. Accepts the fields of contact{} too (worn=, friction=, model=)." },
   { "study.fretting_map{load}", type = "list of numbers", unit = "N", text = "Normal loads, increasing." },
   { "study.fretting_map{motion}", type = "list of numbers", unit = "mm",
-    text = "Amplitudes of the plate's motion, half its strokes, increasing." },
+    text = "Amplitudes of the plate's motion, which are half the strokes, increasing." },
   { "study.fretting_map{friction}", type = "number > 0", default = 0.6, text = "Coefficient of friction." },
   { "study.fretting_map{annulus}", type = "number in (0, 1)", default = 0.1,
     text = "Fraction of the contact width that slips, at both edges together, at the transition to partial slip." },
   { "study.converge", kind = "function", class = "convergence",
     use = "c = study.converge{ base={ stroke=0.22 } }",
     text = "Mesh and step convergence study: searches for the element size, the jump and the increments at which "
-      .. "results no longer change. Element size: the unworn pressure agrees with Hertz' at that size and at half "
-      .. "of it, with at least eight elements across the contact. Jump: the largest one below the stability limit "
-      .. "for which the surfaces stay smooth and symmetric. Increments: the fewest that give the same profiles. "
-      .. "Accepts the fields of study{} and the fields below, or a study and a table of the fields below; cases "
-      .. "are distributed to workers. For study.paper() it prints the paper's Table 1 next to the computed values." },
+      .. "results no longer change. The element size is small enough if the unworn pressure agrees with Hertz' "
+      .. "pressure at this size and at half of it, with at least eight elements across the contact. The jump is "
+      .. "the largest one below the stability limit for which the surfaces remain smooth and symmetric. The "
+      .. "increments are the fewest with the same profiles. Accepts the fields of study{} and the fields below, or "
+      .. "a study and a table of the fields below; cases are distributed to workers. For study.paper() it prints "
+      .. "the paper's Table 1 next to the computed values." },
   { "study.converge{base}", type = "table", text = "Fields of wear{} that all cases have in common, see "
     .. "study{base}." },
   { "study.converge{vary}", type = "table of lists", text = "Varied fields with their values, see study{vary}." },
@@ -80,21 +83,23 @@ return {
   { "study.converge{mesh}", type = "boolean", default = true,
     text = "If true, the element size is searched for with the first case only and used for all cases." },
   { "study.converge{pressure}", type = "number", default = 0.01,
-    text = "For the mesh: accepted relative error of the largest unworn pressure against Hertz." },
+    text = "For the element size: accepted relative difference of the largest unworn pressure from Hertz' "
+      .. "pressure." },
   { "study.converge{smooth}", type = "number", default = 0.005,
     text = "For the jump: accepted sawtooth of the pressure in the middle of the contact, root mean square "
-      .. "relative to the pressure at the centre. Kinks and coarse meshes also cause a sawtooth, so the sawtooth "
-      .. "of a reference run in small steps is subtracted. At least a quarter of the sawtooth of the reference run "
-      .. "is accepted; the result then has a note." },
+      .. "relative to the pressure at the centre. Kinks and coarse meshes also cause a sawtooth; therefore the "
+      .. "sawtooth of a reference run in small steps is subtracted. If this limit is below a quarter of the "
+      .. "sawtooth of the reference run, a quarter is accepted, and the result has a note." },
   { "study.converge{symmetric}", type = "number", default = 1e-3,
-    text = "Accepted difference between a profile and its mirror image, relative to its depth." },
+    text = "For the jump: accepted difference between a profile and its mirror image, relative to its depth." },
   { "study.converge{profile}", type = "number", default = 0.005,
     text = "For the increments: accepted difference of a profile from the profile with 400 increments, relative to "
       .. "its depth." },
   { "study.converge{updates}", type = "whole number from 4 to 1000", default = 100,
     text = "Largest number of updates of a trial run." },
   { "study.converge{first_depth}", type = "number", unit = "mm", default = 1e-4,
-    text = "The reference run in small steps starts with an update that wears half this depth, Eq. (28)." },
+    text = "Depth that determines the first update of the reference run in small steps: this update wears half the "
+      .. "depth, Eq. (28)." },
   { "study.converge{file}", type = "string", default = '"converge.archard"',
     text = "Run file of the search, used if there are several cases." },
   { "study.converge{workers}", type = "whole number",
@@ -104,17 +109,17 @@ return {
 
   { "study.run", kind = "method", use = 's:run{ workers=2, file="study.archard" }',
     text = "Computes the cases not yet in the file, each in its own process, and returns the study. Cases that "
-      .. "failed before are tried again. s.failed lists failed cases with their messages; a failure does not affect "
-      .. "other cases. s.warned lists cases with warnings, such as a jump above the stability limit; the table marks "
-      .. "them." },
+      .. "failed before are tried again. s.failed lists failed cases with their messages; a failure does not "
+      .. "affect other cases. s.warned lists cases with warnings, such as a jump above the stability limit; "
+      .. "s:table() marks them." },
   { "study.run{workers}", type = "whole number from 1 to 256",
     text = "Number of cases that run at the same time; default: the number of processors." },
   { "study.run{file}", type = "string",
     text = "The run file, an SQLite database. Cases in it are not computed again. Default: the name of the study or "
       .. "of the script, or study.archard, with a number if a file of that name has other contents." },
   { "study.run{keep}", type = "number > 0 s", default = 60,
-    text = "Interval at which the state of a running case is stored. After an interruption the case continues from "
-      .. "this state with exactly the same results." },
+    text = "Interval in seconds at which the state of a running case is stored. After an interruption the case "
+      .. "continues from this state with exactly the same results." },
   { "study.run{shard}", type = 'string "i/n"',
     text = "Computes part i of n of the study: cases i, i + n, i + 2n, and so on. Use a separate file for each "
       .. "part, and merge them with study.merge." },
@@ -126,15 +131,16 @@ return {
       .. "computed by a process with its own run file. At the end the files are merged, and interrupted cases are "
       .. "started again. Ctrl-C and the end of this program do not stop the job: submit the study again to follow "
       .. "or merge it. The folder FILE.shares beside the run file and this program must have the same paths on all "
-      .. "machines. A share should take minutes, as Slurm starts about one per second. Failed cases are in "
-      .. "s.failed; the next submit tries them again." },
+      .. "machines. A share should run for minutes, because Slurm starts only about one share per second. Failed "
+      .. "cases are in s.failed; the next submit tries them again." },
   { "study.submit{engine}", values = { "slurm", "parallel", "local" }, default = '"local"',
-    text = "slurm: a job array of Slurm. parallel: processes of GNU parallel on this machine or, with --sshlogin, "
-      .. "on others. local: s:run on this machine, with `shares` workers." },
+    text = "Program that starts the processes. slurm: a job array of Slurm. parallel: GNU parallel on this machine "
+      .. "or, with --sshlogin, on others. local: s:run on this machine, with `shares` workers." },
   { "study.submit{shares}", type = "whole number from 1 to 1000",
     text = "Number of shares; default: the number of processors of this machine." },
   { "study.submit{workers}", type = "whole number from 1 to 256", default = 1,
-    text = "Number of cases that a share computes at the same time; it requests this number of processors." },
+    text = "Number of cases that a share computes at the same time, and of processors that are requested for the "
+      .. "share." },
   { "study.submit{file}", type = "string", text = "Run file of the study, see study.run{file}." },
   { "study.submit{options}", type = "list of strings",
     text = 'Further options of sbatch or parallel, such as { "--time=02:00:00", "--mem-per-cpu=500M" } or { '
@@ -147,12 +153,12 @@ return {
     text = 'A function called with { done=, total= } after each case; "lines": prints a line after each case; '
       .. "false: no output. Default: a display on a terminal." },
   { "study.cases", kind = "method", class = "case", use = "s:cases()",
-    text = "List of all cases, with the results of finished cases." },
+    text = "Returns the list of all cases, with the results of finished cases." },
   { "study.table", kind = "method", use = 's:table{ format="markdown" }',
-    text = "Final depths, pressures and alpha-tilde of every case as text, a line per case. Narrow terminals show "
-      .. "fewer columns." },
+    text = "Returns the final depths, pressures and alpha-tilde of every case as text, a line per case. Narrow "
+      .. "terminals show fewer columns." },
   { "study.table{format}", values = { "text", "csv", "markdown" }, default = '"text"',
-    text = "Format of the table; default for a file: by its ending." },
+    text = "Format of the table. The default format of a file depends on its ending." },
   { "study.table{file}", type = "string",
     text = "File to write: .txt, .csv or .md. The call then returns its name instead of the table." },
   { "study.figures", kind = "method", use = 's:figures{ dir="figures" }',
@@ -163,7 +169,7 @@ return {
   { "study.figures{term}", values = { "svg", "png", "pdf", "dumb" }, default = '"svg"',
     text = 'Format of the figures, or a list of formats; "dumb" draws them in the terminal.' },
   { "study.store", kind = "method", use = "s:store()",
-    text = "The open run file, for scripts that read it directly." },
+    text = "Returns the open run file, for scripts that read it directly." },
   { "study.close", kind = "method", use = "s:close()",
     text = "Closes the run file; it is opened again when needed." },
 
@@ -176,79 +182,84 @@ return {
     text = "Amplitude of the transition from stick to partial slip, at each load." },
   { "fretting_map.gross_from", kind = "field", type = "list of numbers", unit = "mm",
     text = "Amplitude of the transition from partial to gross slip, at each load." },
-  { "fretting_map.load", kind = "field", type = "list of numbers", unit = "N", text = "The loads." },
-  { "fretting_map.motion", kind = "field", type = "list of numbers", unit = "mm", text = "The amplitudes." },
+  { "fretting_map.load", kind = "field", type = "list of numbers", unit = "N", text = "Normal loads of the map." },
+  { "fretting_map.motion", kind = "field", type = "list of numbers", unit = "mm",
+    text = "Amplitudes of the motions of the map." },
   { "fretting_map.friction", kind = "field", text = "Coefficient of friction." },
   { "fretting_map.annulus", kind = "field",
-    text = "Fraction of the width that slips at the transition to partial slip." },
+    text = "Fraction of the contact width that slips at the transition to partial slip." },
 
   -- --- convergence ----------------------------------------------------------------------------
   { "convergence", kind = "object", use = "c = study.converge{...}",
     text = "Result of study.converge; print shows it." },
   { "convergence.mesh", kind = "field",
-    text = "The search for the element size: { size=, steps= }, the size [mm] and a list of the trials." },
+    text = "Result of the search for the element size: { size=, steps= }, the size [mm] and a list of the trials." },
   { "convergence.cases", kind = "field",
-    text = "A list of { label=, status=, settings=, found= }. Fields of found: jump, the largest good jump; limit, "
-      .. "the stability limit of the jump; judged, the number of updates in a trial; roughness and asymmetry at "
-      .. "this jump; smooth, the accepted roughness if it was increased; increments, the number in a cycle; "
-      .. "change, the difference of the profiles from the profiles with the most increments; first_depth [mm]; "
-      .. "jumps and roughnesses, lists of all trials. capped is true if no larger jump was tried. bound then names "
-      .. 'the limit: "stability", or "cycles" (a tenth of all cycles).' },
+    text = "Results of the search for each case, a list of { label=, status=, settings=, found= }. Fields of "
+      .. "found: jump, the largest good jump; limit, the stability limit of the jump; judged, the number of "
+      .. "updates in the trial of this jump; roughness and asymmetry at this jump; smooth, the accepted roughness "
+      .. "if it was increased; increments, the number in a cycle; change, the difference of the profiles from the "
+      .. "profiles with the most increments; first_depth [mm]; jumps and roughnesses, lists of all trials. capped "
+      .. 'is true if no larger jump was tried. bound is then the reason: "stability", or "cycles" (jumps are '
+      .. "limited to a tenth of all cycles)." },
   { "convergence.notes", kind = "method", use = "c:notes()",
-    text = "A list of texts about the cases whose search ended at a limit." },
+    text = "Returns a list of texts about the cases whose search ended at a limit." },
   { "convergence.table_1", kind = "method", use = "c:table_1()",
-    text = "The paper's Table 1 beside the values found, as rows of texts." },
+    text = "Returns the paper's Table 1 and the computed values side by side, as rows of texts." },
 
   -- --- calibrate ------------------------------------------------------------------------------
   { "calibrate", kind = "function", class = "calibration", takes = "wear",
     use = "calibrate{ volume={ cylinder={...}, plate={...} }, load=100, distance=1320 }",
     text = "Wear coefficients (specific wear rates) from measured wear. Divide a mass loss by the density. Use 0 "
-      .. "for a body that does not wear or was not measured. Volumes give k, k_cylinder, k_plate and alpha (Eq. "
-      .. "12), with the scatter of repeated tests and confidence intervals of the means. Volumes at several "
-      .. "distances, calibrate{ distance={...}, volume={ cylinder={...}, plate={...} }, load=100 }, give tables "
-      .. "over the distance, with which wear{ k=c.k, alpha=c.alpha } reproduces the volumes. Depths give k and "
-      .. "alpha by simulation: calibrate{ depth={ cylinder=1.2e-3, plate=1.7e-3 }, load=100, distance=1320, "
-      .. "stroke=0.44 }, with further fields of wear{}. If k is given, only alpha is identified; it is an error if "
-      .. "the simulated sum of both depths then differs by more than 5 % from the measured sum." },
+      .. "for a body that does not wear or was not measured. From volumes it computes k, k_cylinder, k_plate and "
+      .. "alpha (Eq. 12), with the scatter of repeated tests and confidence intervals of the means. From volumes "
+      .. "at several distances, calibrate{ distance={...}, volume={ cylinder={...}, plate={...} }, load=100 }, it "
+      .. "computes tables over the distance; wear{ k=c.k, alpha=c.alpha } reproduces the volumes. From depths it "
+      .. "computes k and alpha by simulation: calibrate{ depth={ cylinder=1.2e-3, plate=1.7e-3 }, load=100, "
+      .. "distance=1320, stroke=0.44 }, with further fields of wear{}. If k is set, only alpha is identified; it "
+      .. "is an error if the simulated sum of both depths then differs by more than 5 % from the measured sum." },
   { "calibrate{volume}", type = "table { cylinder=, plate= }", unit = "mm3",
-    text = "Worn volumes of both bodies: numbers, or lists with an item per test, in the same order for both bodies. "
-      .. "0: too small to measure. With a list of distances: the total volume at each distance, a list, or a list of "
-      .. "lists for several tests." },
+    text = "Worn volumes of both bodies: numbers, or lists with an item per test, in the same order for both "
+      .. "bodies. 0 means too small to measure. With a list of distances, a body has the total volume at each "
+      .. "distance: a list, or a list of lists for several tests." },
   { "calibrate{depth}", type = "table { cylinder=, plate= }", unit = "mm",
     text = "Largest wear depths of both bodies: numbers, or lists with an item per test." },
   { "calibrate{load}", type = "number", unit = "N", text = "Load of the test." },
   { "calibrate{distance}", type = "number or list of numbers", unit = "mm",
     text = "Travelled distance of the test; a list if volumes were measured at several distances." },
   { "calibrate{confidence}", type = "number", default = 0.95,
-    text = "Confidence level of the intervals low and high of the mean (Student's distribution)." },
+    text = "Confidence level of the interval from low to high of the mean coefficients (Student's distribution)." },
   { "calibrate{error}", type = "number", unit = "mm3",
-    text = "Standard deviation of a volume measurement, for the intervals of a single test." },
+    text = "Standard deviation of a volume measurement, from which the intervals of a single test are computed." },
   { "calibrate{accuracy}", type = "number", default = 1e-4,
     text = "Accuracy of the simulated depths: absolute for alpha-tilde, relative for the sum of both depths." },
   { "calibration", kind = "object", use = "calibrate{...}",
-    text = "The coefficients or, for a list of distances, tables { distance=, value= } for wear{}: constant between "
-      .. "two measurements, with jumps at them, and constant beyond the last. print shows them with spread, low and "
-      .. "high." },
-  { "calibration.alpha", kind = "field", text = "Wear partition factor, or its table." },
-  { "calibration.k", kind = "field", unit = "mm2/N", text = "Wear coefficient of the couple, or its table." },
+    text = "The wear coefficients or, for a list of distances, tables { distance=, value= } for wear{}. The values "
+      .. "of a table are constant between two measurements, jump at each measurement, and are constant beyond the "
+      .. "last one. print shows the coefficients with spread, low and high." },
+  { "calibration.alpha", kind = "field", text = "Wear partition factor or, for a list of distances, its table." },
+  { "calibration.k", kind = "field", unit = "mm2/N",
+    text = "Wear coefficient of the couple or, for a list of distances, its table." },
   { "calibration.k_cylinder", kind = "field", unit = "mm2/N", text = "Wear coefficient of the cylinder." },
   { "calibration.k_plate", kind = "field", unit = "mm2/N", text = "Wear coefficient of the plate." },
   { "calibration.low", kind = "field",
     text = "Lower ends of the confidence intervals of k, k_cylinder, k_plate and alpha." },
-  { "calibration.high", kind = "field", text = "Upper ends of the confidence intervals." },
+  { "calibration.high", kind = "field",
+    text = "Upper ends of the confidence intervals of k, k_cylinder, k_plate and alpha." },
   { "calibration.confidence", kind = "field", text = "Confidence level of the intervals." },
   { "calibration.band", kind = "field",
-    text = "For a list of distances: confidence ranges band.k, band.alpha and so on, tables { distance=, value=, "
-      .. "low=, high= } with the mean coefficient between two measurements at their middle distance." },
+    text = "For a list of distances: confidence ranges band.k, band.alpha and so on. They are tables { distance=, "
+      .. "value=, low=, high= } of the mean coefficients between two measurements; distance is in the middle "
+      .. "between both." },
   { "calibration.mean", kind = "field",
     text = "For a list of distances: mean coefficients over the whole distance, with spread, low and high." },
-  { "calibration.points", kind = "field", text = "Number of distances." },
+  { "calibration.points", kind = "field", text = "Number of distances at which volumes were measured." },
   { "calibration.depth_partition", kind = "field", text = "Measured depth partition factor alpha-tilde." },
   { "calibration.simulated_depth", kind = "field", unit = "mm",
     text = "Sum of both simulated depths." },
   { "calibration.measured_depth", kind = "field", unit = "mm", text = "Sum of both measured depths." },
   { "calibration.conditions", kind = "field",
-    text = "List of texts: motion and load, bodies, and materials of the simulations." },
+    text = "Conditions of the simulations, a list of texts: motion and load, bodies, and materials." },
   { "calibration.runs", kind = "field", text = "Number of simulations." },
   { "calibration.measurements", kind = "field", text = "Number of repeated tests." },
   { "calibration.spread", kind = "field",
@@ -257,8 +268,9 @@ return {
 
   -- --- case -----------------------------------------------------------------------------------
   { "case", kind = "object", use = "s:cases()[1]",
-    text = "A case of a study. It has the fields of a wear object, from stored results: plot.pressure, plot.profile "
-      .. "and plot.history draw it. Fields of its definition (alpha, stroke, jump, ...) are available by name." },
+    text = "A case of a study. It has the fields of a wear object, from stored results; plot.pressure, "
+      .. "plot.profile and plot.history draw it. Fields of its definition (alpha, stroke, jump, ...) are available "
+      .. "by name." },
   { "case.id", kind = "field", text = "Number of the case, from 1." },
   { "case.label", kind = "field", text = "The varied fields and their values as text." },
   { "case.status", kind = "field", values = { "waiting", "running", "done", "failed" },
@@ -268,7 +280,7 @@ return {
   { "case.seconds", kind = "field", unit = "s", text = "Computing time of the case." },
   { "case.settings", kind = "field", text = "The fields of wear{} that the study sets for the case." },
   { "case.definition", kind = "field",
-    text = "All fields of the run and its model, with defaults." },
+    text = "All fields of the run and of its model, including defaults." },
   { "case.results", kind = "field", text = 'Results of a task other than "wear", such as "converge".' },
   { "case.study", kind = "field", class = "study", text = "The study of the case." },
   { "case.history", kind = "field", text = "Columns of the history by name, see wear.history." },
@@ -276,11 +288,11 @@ return {
   { "case.surfaces", kind = "field",
     text = "All stored surfaces: { body=, update=, distance=, x=, h=, y=, p= }, lengths in mm, the pressure p in "
       .. "MPa." },
-  { "case.model", kind = "field", text = "Definition of the model." },
+  { "case.model", kind = "field", text = "Definition of the model, as a table." },
   { "case.hertz", kind = "field", class = "hertz", text = "Hertz' solution of the unworn contact." },
-  { "case.depth", kind = "field", unit = "mm", text = "Final depths: { cylinder=, plate= }." },
+  { "case.depth", kind = "field", unit = "mm", text = "Final largest wear depths: { cylinder=, plate= }." },
   { "case.volume", kind = "field", unit = "mm3",
-    text = "Final volumes: { cylinder=, plate=, total= }." },
+    text = "Final wear volumes: { cylinder=, plate=, total= }." },
   { "case.update", kind = "field", text = "Number of geometry updates done." },
   { "case.cycle", kind = "field", text = "Number of cycles done." },
   { "case.distance", kind = "field", unit = "mm", text = "Distance travelled." },

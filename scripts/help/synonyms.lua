@@ -1,5 +1,5 @@
--- Words that users search for, with the addresses of the topics, entries and examples that explain them, the
--- best first. An example has an address such as examples "coating".
+-- Words that users search for, each with the addresses of the topics, entries and examples that explain the
+-- word; the best address is first. An example has an address such as examples "coating".
 
 return {
   ["3-d"] = { "3-D", "model{geometry}", "body.ball" },

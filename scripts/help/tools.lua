@@ -10,53 +10,56 @@ return {
     text = "csv.read reads tables of numbers from text files: measured loadings, profiles, coefficients. To "
       .. 'write a table use export.csv, for example export.csv(w:profile("plate"), "plate.csv").' },
   { "csv.read", kind = "function", use = 'csv.read(path, { t="time [s]", x="position" })',
-    text = "Reads (imports) columns under a line of names, separated by commas, semicolons or tabs; numbers may "
-      .. "have decimal commas if semicolons or tabs separate the columns. Empty lines and lines that begin with # "
-      .. "are skipped; other lines above the names must be deleted or marked with #. Returns the columns as lists "
-      .. "by name, so that loading = csv.read(path) and worn = { plate = csv.read(path) } work with the columns t, "
-      .. "x, load and x, h. Units after names, as in h [um] or h (um), are removed and values converted to mm, N, "
-      .. "MPa and s; columns with other units keep the whole name. The second argument selects and renames "
-      .. "columns, by name or number. A column whose first cell is no number is read as text. Without a second "
-      .. "argument, two more results are the units by name and the list of names." },
+    text = "Reads (imports) columns of numbers from a text file. The first line has the names of the columns; "
+      .. "commas, semicolons or tabs separate the columns. Numbers may have decimal commas if the separator is a "
+      .. "semicolon or tab. Empty lines and lines that begin with # are skipped; other lines above the names must "
+      .. "be deleted or marked with #. Returns the columns as lists by name: loading = csv.read(path) uses columns "
+      .. "t, x and load, and worn = { plate = csv.read(path) } uses x and h. Units after names, as in h [um] or h "
+      .. "(um), are removed and values converted to mm, N, MPa and s; with other units, the unit remains in the "
+      .. "name. The second argument selects and renames columns, by name or number. A column whose first cell is "
+      .. "no number is read as text. Without a second argument, csv.read also returns the units by name and the "
+      .. "list of names." },
 
   -- --- profile --------------------------------------------------------------------------------
   { "profile", kind = "function", use = "profile{ x=..., z=... }  profile.read(path, { ... })",
     text = "A measured trace across a surface, such as the trace of a stylus (w:profile is the computed profile). "
-      .. 'Read it by p = profile.read(path, { level="line" }), then use p:depth(), p:volume() with its error, '
-      .. 'plot.profile(w, "plate", { measured=p }). A profile has positions x and heights z (positive out of the '
-      .. "body) or depths h, in mm, and the standard deviation of its noise. Use it as the initial surface, worn = "
-      .. '{ plate = p }, for comparison, plot.profile(w, "plate", { measured = p }), and for evaluation. Methods '
+      .. 'p = profile.read(path, { level="line" }) reads it from a file. It has positions x and heights z '
+      .. "(positive out of the body) or depths h, in mm, and the standard deviation of its noise. p:depth() "
+      .. "computes depths, p:volume() the volume of a scar with its error. worn = { plate = p } uses the profile "
+      .. 'as the initial surface, plot.profile(w, "plate", { measured = p }) compares it with a run. Methods '
       .. "return new profiles. Points without a value (NaN) are removed; decreasing positions are reversed." },
   { "profile{x}", type = "list", unit = "mm", text = "Positions, increasing or decreasing." },
   { "profile{z}", type = "list", unit = "mm", text = "Heights; give either z or h." },
-  { "profile{y}", type = "list", unit = "mm", text = "Heights, under the name used in sections of maps." },
+  { "profile{y}", type = "list", unit = "mm",
+    text = "Heights, instead of z; the field has this name in sections of maps." },
   { "profile{h}", type = "list", unit = "mm", text = "Depths; give either h or z." },
   { "profile{level}", values = { "line", "circle" },
-    text = "Subtracts the best line or circle, by least squares of heights; see p:level." },
+    text = "Form that is subtracted, the best line or circle by least squares of heights; see p:level." },
   { "profile{scar}", type = "table { from, to } in mm", values = { "auto" },
-    text = 'With level: range of the worn part, which is excluded from the fit; "auto" searches for it.' },
+    text = 'With level: range of the worn part, which is excluded from the fit; "auto" searches for the range.' },
   { "profile{filter}", type = "number > 0", unit = "mm",
     text = "Cut-off of a Gaussian low-pass filter, applied after levelling; see p:filter." },
   { "profile{error}", type = "number >= 0", unit = "mm",
     text = "Standard deviation of the instrument's noise. Default: an estimate from neighbouring points." },
   { "profile.read", kind = "function", takes = "profile", class = "profile",
     use = 'profile.read("trace.csv", { unit="um", level="line" })',
-    text = "A profile from a file read by csv.read: x from the column x, s, position or distance, heights from z, "
-      .. "height or y, depths from h or depth. Units after names are converted." },
+    text = "Reads a profile from a file of columns, see csv.read. Positions are in the column x, s, position or "
+      .. "distance, heights in z, height or y, depths in h or depth. Units after names are converted." },
   { "profile.read{x}", type = "string or whole number >= 1", text = "Column of the positions, by name or number." },
   { "profile.read{z}", type = "string or whole number >= 1", text = "Column of the heights." },
   { "profile.read{h}", type = "string or whole number >= 1", text = "Column of the depths." },
   { "profile.read{unit}", type = 'string or table { x="mm", z="um" }', default = '"mm"',
-    text = "Unit of columns without a unit in their names: mm, um, nm, cm, m or in." },
+    text = "Unit of the columns without a unit after their names: mm, um, nm, cm, m or in." },
   { "profile.mean", kind = "function", class = "profile", use = "profile.mean{ p1, p2, ... }",
     text = "Mean of several traces over their common range, at the positions of the first trace, weighted by their "
       .. "noise. Its error is the larger of two estimates, from the noise and from the scatter of the traces." },
-  { "profile.x", kind = "field", type = "list", unit = "mm", text = "Positions." },
-  { "profile.z", kind = "field", type = "list", unit = "mm", text = "Heights; nil in a profile of depths." },
+  { "profile.x", kind = "field", type = "list", unit = "mm", text = "Positions of the points." },
+  { "profile.z", kind = "field", type = "list", unit = "mm",
+    text = "Heights of the points; nil in a profile of depths." },
   { "profile.h", kind = "field", type = "list", unit = "mm",
-    text = "Depths, negative above the reference; nil in a profile of heights. With worn = { plate = p } negative "
-      .. "depths of up to 5 standard deviations of the noise count as 0, larger ones are refused; heights are "
-      .. "converted to depths below the highest point." },
+    text = "Depths of the points, negative above the reference; nil in a profile of heights. In worn = { plate = p "
+      .. "}, negative depths of up to 5 standard deviations of the noise count as 0, and larger ones are refused; "
+      .. "heights are converted to depths below the highest point." },
   { "profile.error", kind = "field", type = "number", unit = "mm",
     text = "Standard deviation of the noise of a point. It is set by the user or estimated from the "
       .. "deviation of each point from the line between its neighbours (which includes roughness at the "
@@ -65,45 +68,48 @@ return {
     text = "Correlation length of the noise: the step of a raw trace, larger after filtering." },
   { "profile.form", kind = "field", values = { "line", "circle" }, text = "Form that was subtracted; nil if none "
     .. "was." },
-  { "profile.radius", kind = "field", type = "number", unit = "mm", text = "Radius of the subtracted circle." },
+  { "profile.radius", kind = "field", type = "number", unit = "mm",
+    text = "Radius of the circle that was subtracted." },
   { "profile.scar", kind = "field", type = "table { from=, to= }", unit = "mm", text = "Range of the worn "
     .. "part, if it is known." },
   { "profile.scatter", kind = "field", type = "table { deviation=, length= }", unit = "mm",
     text = "Deviation of the unworn part from the line or circle: standard deviation (roughness and noise) and "
       .. "correlation length." },
-  { "profile.cutoff", kind = "field", type = "number", unit = "mm", text = "Cut-off of the filter; nil without a "
-    .. "filter." },
+  { "profile.cutoff", kind = "field", type = "number", unit = "mm",
+    text = "Cut-off of the filter that was applied; nil without a filter." },
   { "profile.missing", kind = "field", type = "number", text = "Number of points without a value that were removed." },
   { "profile.path", kind = "field", type = "string", text = "File from which the profile was read." },
   { "profile.level", kind = "method", class = "profile", use = 'p:level("circle", "auto")',
     text = "Subtracts a line or circle, by least squares of heights, instead of the form subtracted before. With a "
-      .. 'scar { from, to } or "auto", only points farther from the scar than 20 % of its width are used, so that '
-      .. 'pile-up is excluded. "auto" searches the scar from the deepest point outwards, with a form fitted to the '
-      .. "outer 15 % at both ends." },
+      .. 'scar { from, to } or "auto", the fit uses only points farther from the scar than 20 % of its width, '
+      .. 'which excludes pile-up. "auto" searches for the scar from the deepest point outwards, with a form fitted '
+      .. "to the outer 15 % at both ends." },
   { "profile.filter", kind = "method", class = "profile", use = 'p:filter(0.08)  p:filter(0.8, "short")',
     text = 'Gaussian filter (ISO 16610-21): long waves by default, or "short" waves. The amplitude of a wave of the '
       .. "cut-off length [mm] is halved. Near the ends a line is fitted under the remaining weights, so that slopes "
       .. "are preserved (ISO 16610-28, moments to order 1); within half a cut-off of an end the filter smooths less. "
       .. "Needs a constant step." },
   { "profile.average", kind = "method", class = "profile", use = "p:average(0.01)",
-    text = "Replaces the points by means over cells of this length [mm], which have a constant step. This "
-      .. "reduces the number of points and the noise." },
+    text = "Replaces the points by means over cells of this length [mm]. The new points have a constant step; "
+      .. "their number and their noise are smaller." },
   { "profile.cut", kind = "method", class = "profile", use = "p:cut(from, to)",
     text = "The part of a profile between two positions [mm]." },
   { "profile.depth", kind = "method", class = "profile", use = "p:depth()  p:depth(before)",
     text = "Depths h below the line or circle through the unworn part, which is fitted as by p:level, or below a "
-      .. "trace measured on the same line before wear. Negative depths (above it) are kept." },
-  { "profile.depth{reference}", type = "profile", text = "The same trace before wear, in heights." },
+      .. "trace measured on the same line before wear. Points above the line, circle or trace have negative "
+      .. "depths." },
+  { "profile.depth{reference}", type = "profile",
+    text = "Trace measured on the same line before wear, with heights." },
   { "profile.depth{level}", values = { "line", "circle" }, text = "Form to subtract. Default: the form that "
     .. "was subtracted before, or a line." },
   { "profile.depth{scar}", type = "table { from, to } in mm", values = { "auto" }, default = '"auto"',
-    text = "Range of the worn part." },
+    text = "Range of the worn part, which is excluded from the fit." },
   { "profile.volume", kind = "method", use = "p:volume()  p:volume{ length = 2 * math.pi * 5 }",
-    text = "Evaluates the scar. Returns area [mm2] of its section and the standard deviation error of this area, "
-      .. "with its two parts scatter (noise and roughness) and level (the subtracted line or circle); volume and "
-      .. "volume_error [mm3]; from, to and width [mm]; depth (the largest mean over 1/50 of the width) and "
-      .. "mean_depth [mm]; piled [mm2], the area above the reference within 20 % of the width on both sides. "
-      .. "Heights are first converted by p:depth()." },
+    text = "Evaluates the scar. Returns a table with area [mm2], the area of its section, and error, the standard "
+      .. "deviation of this area, with its two parts scatter (noise and roughness) and level (the subtracted line "
+      .. "or circle); volume and volume_error [mm3]; from, to and width [mm]; depth (the largest mean over 1/50 of "
+      .. "the width) and mean_depth [mm]; piled [mm2], the area above the reference within 20 % of the width on "
+      .. "both sides. Heights are first converted by p:depth()." },
   { "profile.volume{scar}", type = "table { from, to } in mm", values = { "auto" }, text = "Range of the "
     .. "worn part." },
   { "profile.volume{length}", type = "number > 0", unit = "mm", default = 1,
@@ -126,13 +132,13 @@ return {
       .. "the curves; NaN and infinite values interrupt a line. In titles \\alpha becomes the Greek letter, and "
       .. "p_H and mm^2 have a subscript and a superscript (in files and windows). More than eight curves are "
       .. "labelled at their ends." },
-  { "plot{x}", type = "list", text = "For a curve: its abscissae; default: 1, 2, 3, ..." },
-  { "plot{y}", type = "list", text = "For a curve: its ordinates." },
+  { "plot{x}", type = "list", text = "For a curve: list of its abscissae; default: 1, 2, 3, ..." },
+  { "plot{y}", type = "list", text = "For a curve: list of its ordinates." },
   { "plot{value}", type = "list",
-    text = "Makes an item of the list part a coloured field: x, y and value have four numbers for each polygon, "
-      .. "the values at its corners; a triangle repeats its last corner. For a curve: the value whose colour on "
-      .. "the scale it has." },
-  { "plot{error}", type = "list", text = "For a curve: half lengths of its error bars in y." },
+    text = "An item of the list part with this list is a coloured field. x, y and value then have four numbers for "
+      .. "each polygon, one for each corner; a triangle repeats its last corner. For a curve: the value whose "
+      .. "colour in the colour scale the curve has." },
+  { "plot{error}", type = "list", text = "For a curve: list of the half lengths of its error bars in y." },
   { "plot{points}", type = "table { x=, y=, error=, title= }",
     text = "Measured points to draw over the curves, with the fields of plot.points{}." },
   { "plot{title}", type = "string or false",
@@ -169,9 +175,9 @@ return {
     text = 'For the whole plot: "grey" or false draws greys in files and no colours in the terminal. For a '
       .. 'curve: "#rrggbb" or the name of a colour.' },
   { "plot{series}", type = "whole number >= 1",
-    text = "For a curve: number of its colour and mark, 1 to 8; default: the next one." },
+    text = "For a curve: number of its colour, mark and dash pattern, repeated after 8; default: the next number." },
   { "plot{dash}", type = "whole number >= 1",
-    text = "For a curve: line type, 1 solid, 2 to 5 dashed, in windows and files." },
+    text = "For a curve: line type, 1 solid, 2 to 8 dashed, in windows and files." },
   { "plot{width}", type = "number > 0", default = 1, text = "For a curve: relative width of the line." },
   { "plot{on}", values = { "pixels", "characters" },
     text = "For a curve: draws it only in pictures of pixels, or only in pictures of characters; default: in "
@@ -186,19 +192,20 @@ return {
       .. "value for the whole picture." },
   { "plot{layout}", type = "table { rows, columns }", text = "Number of rows and columns of the panels." },
   { "plot{letters}", type = "boolean", default = true,
-    text = "Writes (a), (b), ... before the titles of panels." },
-  { "plot{xplaces}", type = "table { at=, words= }", text = "Labels instead of numbers at positions of the "
-    .. "x axis." },
-  { "plot{yplaces}", type = "table { at=, words= }", text = "Labels instead of numbers at positions of the "
-    .. "y axis." },
+    text = "If true, (a), (b), ... are written before the titles of panels." },
+  { "plot{xplaces}", type = "table { at=, words= }",
+    text = "Labels (the list words) instead of numbers at positions (the list at) of the x axis." },
+  { "plot{yplaces}", type = "table { at=, words= }",
+    text = "Labels (the list words) instead of numbers at positions (the list at) of the y axis." },
   { "plot.default", kind = "field", type = "table",
     text = "Default options: term, size (in the terminal and in windows), file_size (in pixels), colour, key." },
   { "plot.style", kind = "function", values = { "paper", "journal", "slides", "screen" },
     use = 'plot.style{ "paper", width="page" }',
     text = 'Style of figures for papers and slides, also in greyscale: plot.style{ "paper", colour="grey" }. '
       .. "paper: 85 mm wide (170 mm if panels are side by side), letters of 8 points, png of 600 dpi; journal: as "
-      .. "paper, but without automatic titles; slides: 254 mm, 20 points, 150 dpi; screen: in pixels, the default. "
-      .. "The ending of plot{ file= } chooses the format: .pdf, .eps, .svg, .png. Returns the present style." },
+      .. "paper, but without automatic titles; slides: 254 mm wide, letters of 20 points, png of 150 dpi; screen, "
+      .. "the default: sizes in pixels. The ending of plot{ file= } chooses the format: .pdf, .eps, .svg, .png. "
+      .. "Returns the present style." },
   { "plot.style{width}", type = "number in [20, 1000]", unit = "mm", values = { "column", "page", "single", "double" },
     text = 'Width of the figure: a column ("single"), the page ("double"), or a number.' },
   { "plot.style{height}", type = "number in [15, 1000]", unit = "mm", text = "Height of the figure." },
@@ -213,9 +220,10 @@ return {
   { "plot.style{dpi}", type = "number in [30, 2400]", text = "Resolution of png and gif in pixels per inch." },
   { "plot.points", kind = "function", takes = "plot",
     use = "plot.points{ x=..., y=..., error=..., title=... }",
-    text = "Draws the last picture again with measured points over its curves, in the terminal or to file=. Accepts "
-      .. "the fields of a curve of plot{}." },
-  { "plot.points{panel}", type = "whole number >= 1", default = 1, text = "Number of the panel." },
+    text = "Draws the last picture again with measured points over its curves, in the terminal or to a file "
+      .. "(file=). Accepts the fields of a curve of plot{}." },
+  { "plot.points{panel}", type = "whole number >= 1", default = 1,
+    text = "Number of the panel in which the points are drawn." },
   { "plot.again", kind = "function", use = "plot.again()",
     text = "Draws the last picture again at the present size of the terminal or window." },
   { "plot.fit", kind = "function", takes = "plot", use = "plot.fit(f, { curves=true })",
@@ -256,9 +264,9 @@ return {
   { "plot.slip{axis}", values = { "x", "z" }, text = "In 3-D: component to draw; default: the magnitude." },
   { "plot.slip{titles}", type = "list of strings", text = "Names of the curves in the key." },
   { "plot.loop", kind = "function", takes = "plot", use = "plot.loop(w, before, ...)",
-    text = "Draws fretting loops of runs with friction or of results of w:loop(): tangential force [N] over "
-      .. "the position of the plate [um] in a periodic cycle. The key has the energy of each loop and the "
-      .. "fields in which the runs differ. Long strokes are in mm. Accepts the options of plot{}." },
+    text = "Draws fretting loops of runs with friction or of results of w:loop(): tangential force [N] over the "
+      .. "position of the plate [um, or mm for long strokes] in a periodic cycle. The key has the energy of each "
+      .. "loop and the fields in which the runs differ. Accepts the options of plot{}." },
   { "plot.loop{titles}", type = "list of strings",
     text = "Names of the loops in the key; default: the names of their runs." },
   { "plot.fretting_map", kind = "function", takes = "plot", use = "plot.fretting_map(f)",
@@ -280,7 +288,7 @@ return {
     text = "Draws columns of w.history against the travelled distance, with a panel for each quantity. "
       .. "Units follow the values: distances in mm, m or km, depths in nm, um or mm. Accepts the options of "
       .. "plot{}." },
-  { "plot.history{against}", values = { "distance", "cycle", "update" }, default = '"distance", "cycle" of joints',
+  { "plot.history{against}", values = { "distance", "cycle", "update" }, default = '"distance"; for joints "cycle"',
     text = "Quantity on the abscissa." },
   { "plot.history{titles}", type = "list of strings", text = "Names of the objects in the key." },
   { "plot.map", kind = "function", takes = "plot", use = 'plot.map(t)  plot.map(w, "height")  plot.map(t, { levels=12, file="t.png" })',
@@ -291,14 +299,14 @@ return {
   { "plot.map{what}", values = { "depth", "height", "pressure" }, default = '"depth"',
     text = 'Quantity of a run to draw; for a joint "cup", "head", "cross shear" or "pressure".' },
   { "plot.track", kind = "function", takes = "plot", use = 'plot.track(w)   plot.track(gait "iso", { radius=18 })',
-    text = "Draws the paths of seven points of the head (its pole and six points at 30 degrees from it) "
-      .. "over the cup of a joint in one cycle, in mm, in azimuthal equal-area projection about the nominal "
-      .. "load. They are straight between increments; increase the gait's increments for smooth curves." },
+    text = "Draws the paths of seven points of the head (its pole and six points at 30 degrees from the pole) over "
+      .. "the cup of a joint in one cycle, in mm, in azimuthal equal-area projection about the nominal load. The "
+      .. "paths are straight between increments; increase the gait's increments for smooth curves." },
   { "plot.track{radius}", type = "number > 0", unit = "mm", default = "14", text = "Radius of the head; for "
     .. "a run the radius of its joint is used." },
   { "plot.surface", kind = "function", takes = "plot", use = 'plot.surface(t)  plot.surface(t, { exaggeration=100 })',
-    text = "Draws a map seen obliquely from the front as 50 coloured rows, with a line along every fifth row. "
-      .. "Heights have the scale of x, multiplied by the exaggeration, which the title shows; lengths along "
+    text = "Draws a map seen obliquely from the front as 50 coloured rows, with a line along every fifth row. The "
+      .. "scale of heights is the scale of x multiplied by the exaggeration, which the title shows; lengths along "
       .. "z are drawn at half scale." },
   { "plot.surface{exaggeration}", type = "number > 0",
     text = "Factor on the heights. By default the heights are drawn as about a fifth of the longer side." },
@@ -339,13 +347,14 @@ return {
     text = "Number of updates between two pictures; default: computed from `frames`." },
   { "plot.animate{delay}", type = "number > 0", unit = "s", default = 0.1,
     text = "Time between two pictures." },
-  { "plot.animate{file}", type = "string", text = "A file with the ending gif." },
+  { "plot.animate{file}", type = "string", text = "Name of the animation file, with the ending gif." },
   { "plot.animate{term}", type = "string", text = "Output device, see plot{term}." },
   { "plot.animate{size}", type = "table { width, height }", text = "Size of the pictures, see plot{size}." },
   { "plot.animate{colour}", type = "boolean", text = "Colours or greys, see plot{colour}." },
   { "plot.save", kind = "function", use = 'plot.save("p.png")',
-    text = "Writes the last picture to a file, and its data beside it as CSV (p.csv). plot.save{ ..., file= } is "
-      .. "the same as plot{ ..., file= }. A second table sets the size, { size = { width, height } }." },
+    text = "Writes the last picture to a file, and its data to a CSV file of the same name (p.csv). plot.save{ "
+      .. "..., file= } is the same as plot{ ..., file= }. A second table sets the size, { size = { width, height } "
+      .. "}." },
 
   -- --- export ---------------------------------------------------------------------------------
   { "export", kind = "object", use = "export.csv  .vtk  .pvd  .vti  .gsf  .inp  .msh  .json",
@@ -373,21 +382,22 @@ return {
       .. "wear depth, pressure and cross-shear." },
   { "export.pvd", kind = "function", use = 'w:run{ progress = export.pvd(w, "w.pvd", { every=10 }) }',
     text = "Writes a series of states of a run for ParaView: a .vtu (for maps a .vti) for each body and state, and "
-      .. "w.pvd, which lists them by distance. Writes the present state and returns a function for the further "
-      .. "states: w:run{ progress= } calls it after each `every` updates and at the end; it can be called without "
-      .. "arguments too." },
-  { "export.pvd{every}", type = "number", default = "1", text = "Number of updates from one written state to the next; 1: every update is written." },
+      .. "w.pvd, which lists these files by distance. The call writes the present state and returns a function "
+      .. "that writes further states: w:run{ progress= } calls it after each `every` updates and at the end; it "
+      .. "can also be called without arguments." },
+  { "export.pvd{every}", type = "number", default = "1",
+    text = "Number of updates between two written states; 1: every update is written." },
   { "export.inp", kind = "function", use = "export.inp(obj, path)",
     text = "Writes an input deck of a contact, a run (with its worn surfaces) or a model (at its default load) for "
       .. "Abaqus and CalculiX: both bodies, supports, contact pair, load and output requests. CalculiX runs it "
-      .. "with ccx path (without ending). The bodies are one element thick, held along z: C3D8, C3D8I for CPE4I, "
-      .. "C3D6 for triangles, which are stiffer than in the model as nu approaches 1/2. Only plane strain is "
-      .. "possible. For other models, single meshes can be written: CPS4, or CAX4 for one half of the section, "
-      .. "with the radius as x." },
+      .. "with ccx path (without ending). The bodies are one element thick and fixed along z. Their elements are "
+      .. "C3D8, C3D8I instead of CPE4I, and C3D6 instead of triangles, which are stiffer than in the model as nu "
+      .. "approaches 1/2. Only plane strain is possible. For other models, single meshes can be written: CPS4, or "
+      .. "CAX4 for one half of the section, with the radius as x." },
   { "export.msh", kind = "function", use = "export.msh(m, path)",
     text = "Writes a model or mesh as a Gmsh file (4.1, text, mm), with the physical groups that model{ mesh = "
-      .. "path } reads: upper is the cylinder, lower the plate, upper.layer1 its first layer. Coordinates are "
-      .. "exact. Without a path the text is returned, which model{ mesh = } accepts too." },
+      .. "path } reads: upper is the cylinder, lower the plate, upper.layer1 the first layer of the cylinder. "
+      .. "Coordinates are exact. Without a path the text is returned, which model{ mesh = } accepts too." },
   { "export.json", kind = "function", use = "export.json(w, path)",
     text = "Writes a summary of a run, also of a joint: versions, definition with model, bodies and layers, "
       .. 'results, units. NaN and omitted values are written as null, functions as the word "function".' },

@@ -1,5 +1,5 @@
--- Topics of help. A topic explains more than one name. Each is { title, text }, in the order of the
--- overview. Lines that begin with two spaces are not wrapped.
+-- Help topics, which explain subjects that several objects share. Each topic is { title, text }, in the order
+-- of the overview. Lines of a text that begin with two spaces are not wrapped.
 
 return {
   { "units", [[
@@ -19,73 +19,77 @@ k = 1e-8 mm2/N means that both bodies together lose 1e-8 mm3 per N of load and m
   1e-5 mm3/J         is 1e-8 mm3/(N mm) = 1e4 um3/J, for law = "energy"
   K, dimensionless   k = K / H with the hardness H in MPa (9.81 times HV)
 
-calibrate{} computes k (specific wear rate) from measured volumes or mass loss; there is no table of typical values.
+calibrate{} computes k (specific wear rate) from measured volumes (mass loss divided by density); there is no table of typical values.
 A coefficient measured on one body belongs to this body: wear{ k_plate = 1e-8, k_cylinder = 0 }
 if the cylinder does not wear.
 
 Columns of run files have units in their names (half_width_mm); the view `units` lists them.]] },
 
   { "glossary", [[
-Terms, with the symbol of the paper in brackets. Equation numbers in the help are those of the paper: Mattei and Di Puccio,
+Terms, each with its symbol in the paper and its unit in brackets. Equation numbers in the help refer to this paper: Mattei and Di Puccio,
 "Influence of the wear partition factor on wear evolution modelling of sliding surfaces".
 
   alpha          [alpha] wear partition factor k_c / (k_c + k_p): the upper
                  body's share of the wear; 0 to 1
   alpha-tilde    depth partition factor, as alpha but for the largest depths
   approach       rigid displacement of one body towards the other [mm]
-  cycle          one period of the motion; a run has [N] of them
+  cycle          one period of the motion; [N] is the number of cycles
   depth          [h] wear depth, normal to the surface [mm]; [h_c], [h_p] of
                  the cylinder and of the plate
-  distance       [d] travelled distance, both strokes counted [mm]; its end
-                 is [d_t]
+  distance       [d] travelled distance, both strokes counted [mm]; its value
+                 at the end of the run is [d_t]
   E_star         [E*] contact modulus [MPa]
   gross slip     the whole contact slips; partial slip: only its edges do
   half width     [b] half the width of the contact [mm]; [a] if unworn
-  increment      a part of a cycle, [n_c] of them; each is one contact problem
-  jump           [N-bar] cycles of one update
+  increment      one of [n_c] parts of a cycle, with one contact problem each
+  jump           [N-bar] number of cycles of one update
   k              [k] wear coefficient of the couple, volume per force and
                  distance [mm2/N]; [k_c], [k_p] of one body
   load           [L_N] normal force [N]
   mu             coefficient of friction, the field friction
-  p_center       [p_max] pressure at the deepest point; p_max is the largest
-                 pressure, p_peak the largest in a cycle; [p_H] if unworn
-                 [MPa]
-  procedure      [SP] the stroke is simulated by increments; [NSP] one contact
-                 problem per update suffices
+  p_center       [p_max] pressure at the centre of the contact [MPa], [p_H] if
+                 unworn. In archard, p_max is the largest pressure with the
+                 plate at x = 0, p_peak the largest pressure in a cycle
+  procedure      [SP] simulates the stroke by increments; [NSP] solves one
+                 contact problem per update
   radius         [R] of the cylinder [mm]
-  ripple         sawtooth of the surfaces: a jump above the stability limit
+  ripple         sawtooth of the surfaces due to a jump above the stability
+                 limit
   scar           worn part of a surface
   slip           [s] relative tangential displacement of the surfaces [mm]
   stick zone     part of the contact that does not slip, contact.stick
   stroke         [s_t] distance between the ends of the motion [mm]
-  strokes        [r] strokes of a cycle, 2 or 1
+  strokes        [r] number of strokes in a cycle, 2 or 1
   thickness      [t] of the bodies along z [mm]
-  update         one change of the geometry by wear; a run has [n_u] of them
+  update         one change of the geometry by wear; [n_u] is the number of
+                 updates
   volume         [V] wear volume [mm3], V = k L_N d
-  wear box       regular elements below the surface, which wear moves
-  zone           part of a surface with small elements, for the contact]] },
+  wear box       regular elements below the surface, whose nodes move with the
+                 wear
+  zone           contact zone: the part of a surface with small elements]] },
 
   { "axisymmetric", [[
 model{ geometry = "axisymmetric" } defines bodies of revolution about a vertical axis: the cylinder is a ball, the block a disc, a
 punch a pin with a flat end. Loads are total forces, volumes are those of the whole ring in mm3, and half_width is the radius of the
-contact. With axis = 40 the axis is 40 mm left of x = 0, the mean radius of a thrust ring. "plane stress" is for thin plates.
+contact. With axis = 40 the axis is 40 mm left of x = 0, and 40 mm is the mean radius of a thrust ring. (geometry = "plane stress" is for thin plates.)
 
 The contact has a fixed position, so wear{} needs slide = "z" and one of these:
 
   alpha = 1        a pin on a disc: all its points slide the same distance,
                    and the disc does not wear
-  track = 20       the same; a cycle is a revolution at a radius of 20 mm. The
-                   disc may wear too and remains flat: its depth is the mean
-                   over the track, whose width is that of the contact
-  spin = 1         rotation about the axis: slip is r / spin times the stroke;
-                   with spin = 1 a distance of 1 mm is 1 rad
+  track = 20       a pin on a disc, where a cycle is a revolution at a radius
+                   of 20 mm. The disc may wear too and remains flat: its depth
+                   is the mean over the track, which is as wide as the contact
+  spin = 1         rotation about the axis: the slip at the radius r is r/spin
+                   times the stroke; with spin = 1 a distance of 1 mm means a
+                   rotation of 1 rad
   model.axis > 0   a ring: all its points slide the same distance; with spin
                    the distance grows with r
 
   w = wear{ model = { geometry = "axisymmetric" }, load = 50, slide = "z",
     alpha = 1, track = 20, cycles = 1000, jump = "auto" }
 
-Refused: strokes along x, friction in the section, holes, a thickness, profiles that differ at x and -x. A mesh from Gmsh must contain
+Strokes along x, friction in the section, holes, a thickness, and profiles that differ at x and -x are refused. A mesh from Gmsh must contain
 both halves of the section, with mesh lines on the axis. With spin the pressure on the axis grows without limit as the bodies wear.]] },
   { "running in", [[
 New surfaces often wear faster at first. Define k as a function of the state, or as a table over the distance:
@@ -103,23 +107,24 @@ computes such tables from volumes measured at several distances. See help "state
   export.csv, .vtk, .inp      tables, fields, input decks for other programs
   csv.read                    measured loadings and profiles
   plot{ ..., file= }          pictures: .png, .svg, .pdf, .eps, .txt
-  plot.save                   the last picture, and its data beside it
+  plot.save                   the last picture, and its data as CSV
 
 Run files are SQLite databases: sqlite3 run.archard "select * from history_of". Files of older releases can be continued.
 If the program is killed, a run that was not saved is lost: help "wear.save". Studies store each finished case.
 Functions of a definition are not stored; give them again when the file is opened. examples "files" shows most formats. The
 prompt offers to save a session with unsaved runs before it ends.]] },
   { "meshes", [[
-A model{} meshes both bodies and condenses them to their surfaces once. Elements in the contact zone are mesh.size wide and
-mesh.height high; they grow to mesh.far outside. By default the size is chosen for the
-expected contact, whose estimate includes layers: 5.4 elements per half width (10.8 for a ball), and more in these cases:
+model{} meshes both bodies and condenses their stiffness to the surface nodes, once for all contacts and runs. Elements in the
+contact zone are mesh.size wide and mesh.height high; outside they are larger, up to mesh.far. By default the half width of the
+expected contact, whose estimate includes layers, has 5.4 elements (10.8 for a ball). In these cases the elements are smaller,
+with at least this number of elements:
 
-  5.4   per rounded edge of a punch
-  8     per wave of a rough profile, 5 per spot that touches
-  27    in the half width in contact{} with friction (40 cells in 3-D)
-  5     per slip zone in wear runs with friction
+  5.4   in each rounded edge of a punch
+  8     in each wave of a rough profile, 5 in each spot that touches
+  27    in the half width of contact{} with friction (40 cells in 3-D)
+  5     in each slip zone of wear runs with friction
 
-mesh.fineness = 2 halves the size. If you set mesh.size, use at least four elements per half width (hertz{} computes it).
+mesh.fineness = 2 halves the size. If you set mesh.size, use at least four elements per half width, which hertz{} computes.
 plot.mesh(m, { zoom = "wear box" }) shows the elements.
 
 mesh.zone is the full width of the contact zone of each body, automatic by default. If a scar outgrows the zone or the wear box,
@@ -131,10 +136,12 @@ triangles and quadrilaterals of first order. Physical groups name the parts:
 
   upper, lower      surfaces: the bodies, in contact without load; upper is
                     the cylinder of other models, lower the plate
-  upper.contact     curve that may come into contact, in one piece, one y for
-                    each x; lower.contact too
-  upper.fixed       fixed curves, or those on the rigid base; lower.fixed too
-  upper.NAME        surfaces of another material (up to 4); lower.NAME too
+  upper.contact     the curve that may touch the other body, in one piece and
+                    with one y for each x; the same for lower.contact
+  upper.fixed       curves that are fixed or on the rigid base; the same for
+                    lower.fixed
+  upper.NAME        surfaces of another material, up to 4 materials; the same
+                    for lower.NAME
 
 The bodies must not share points, even in the contact. Errors name the element or node and its coordinates. Materials are assigned by
 the names of their groups; where a material is at the surface, it wears with its own k. Elements without a name have the body's own
@@ -143,38 +150,39 @@ E, nu and k:
   model{ mesh = "pair.msh", upper = body.gmsh{ name = "roller", E = 210e3,
     materials = { coating = { E = 400e3, k = 1e-9 } } } }
 
-For a pin in a hole give the shapes as well: upper = body.disc{ radius= }, lower = body.ring{ inner=, outer= }, with materials if
-needed. Other shapes are refused. radius, used in estimates, is by default that of the unworn gap. Imported meshes have no wear box, so
+For a pin in a hole, define the shapes as well: upper = body.disc{ radius= }, lower = body.ring{ inner=, outer= }, with materials if
+needed. Other shapes are refused. model{ radius= } is used in estimates; it is by default the radius of the unworn gap. Imported meshes have no wear box, so
 they need wear{ geometry = "frozen" }. Run files, studies and sessions contain the mesh. export.msh writes meshes by archard;
 examples/gmsh_pair.geo is an example for Gmsh:
 
   gmsh -2 -order 1 -format msh41 -o gmsh_pair.msh gmsh_pair.geo]] },
   { "steps", [[
-Cycle jump: one update of the geometry represents many cycles. Fields of wear{} that set their number:
+One update of the geometry represents many cycles (cycle jump). These fields of wear{} set the number of cycles:
 
   jump = "auto"        default: explicit steps, with an error estimate
   scheme = "implicit"  long steps, controlled by tolerance (default 1e-3)
-  jump = 50            fixed, as in the paper: 100 for most cases at 0.11 mm,
-                       20 to 50 for longer strokes, on elements of 20 um
+  jump = 50            steps of 50 cycles. On elements of 20 um, the paper has
+                       100 in most cases with a stroke of 0.11 mm, and 20 to
+                       50 for longer strokes
 
-Above a stability limit a fixed jump causes ripples, which make the surfaces rough: w:stability() computes the limit. Runs above
-it give a warning and end when ripples appear. The limit decreases with longer strokes and smaller elements. A jump below it may
-still be too long: compare with half of it.
+A fixed jump above a stability limit causes ripples, which make the surfaces rough; w:stability() computes the limit. A run above
+the limit prints a warning and ends when ripples appear. The limit decreases with longer strokes and smaller elements. A jump below
+the limit may still be too long: compare with a run with half the jump.
 
-increments divide a cycle; with "auto" the plate moves by less than an eighth of the half width in each. w:step() makes one
-update, w:run() all; Ctrl-C stops after the current step, and w:run() continues. examples "steps" compares the choices.]] },
+increments is the number of parts of a cycle; with "auto" the plate moves by at most an eighth of the half width in each part.
+w:step() makes one update, w:run() all updates; Ctrl-C stops after the current step, and w:run() continues. examples "steps" compares the choices.]] },
 
   { "fretting", [[
-Fretting is a motion so short that the bodies deform as much as they slide, so friction matters. A cylinder on a plate that an
-oscillating force of 30 N moves, under a load of 100 N:
+Fretting is a motion so short that the elastic deformation is as large as the slip, so friction matters. Example: a cylinder
+is pressed with 100 N on a plate, which is moved by an oscillating force of 30 N:
 
   w = wear{ friction=0.6, tangential=30, load=100, k=1e-8, cycles=1e5 }
   w:run()
   print(w.gross, w.cycle_energy)     -- 0: partial slip; N mm in each cycle
   plot.loop(w)                       -- tangential force over displacement
 
-Give tangential = the amplitude of the force, below friction times load, or stroke = the full motion in mm. If the force is small
-the middle of the contact sticks and only its edges slip and wear: partial slip. Beyond friction times load the whole contact
+tangential is the amplitude of the force, which must be less than friction times load; stroke is the full motion in mm, instead of a
+force. If the force is small, the middle of the contact sticks and only its edges slip and wear: partial slip. Beyond friction times load the whole contact
 slips: gross slip, w.gross is 1. study.fretting_map{} computes both regimes for many loads and motions.
 
 contact{ friction=, load= }:move{ x=, tangential= } computes single motions: c.stick, c:shear(), c:slip(), plot.shear, plot.slip.
@@ -185,13 +193,16 @@ law = "energy" computes the wear from the friction energy. Balls on flats: geome
 Bodies are linear elastic with small strains; each body and layer has E and nu. Materials are defined by their numbers, such as
 material{ E=3600, nu=0.4, name="PEEK" }; there is no library of materials.
 
-Not simulated: plastic flow (compare the largest von Mises stress with the yield stress: help "contact.stress"; there is no warning; peaks of rough surfaces do not yield either, a plasticity index is not computed), debris and third bodies, lubrication, heat and temperature, creep (except a function in joint{}),
-viscoelastic and anisotropic materials, adhesion, seizure and scuffing, cracks and fatigue (criteria such as SWT or Dang Van can use exported stresses). Their known effects on wear can be
+Plastic flow is not simulated, also not at the peaks of rough surfaces, and causes no warning: compare the largest von Mises stress
+with the yield stress (help "contact.stress"). A plasticity index is not computed. Not simulated either are debris and third bodies,
+lubrication, heat and temperature, creep (except as a function in joint{}), viscoelastic and anisotropic materials, adhesion, seizure
+and scuffing, cracks and fatigue (exported stresses can be used in criteria such as SWT or Dang Van). Known effects on wear can be
 included in k: a number for each body, a function of distance, or local_factor, a function of pressure and position. k is a measured
-value, for abrasive wear and for adhesive wear. Forces of inertia and impacts are not simulated; results depend on sliding distance, not on speed or frequency, so PV limits are not
-predicted. In 3-D, each layer wears with its own k; the compliance is that of the unworn layers.
+value for abrasive or adhesive wear. Forces of inertia and impacts are not simulated. Results depend on sliding distance, not on
+speed or frequency; therefore PV limits are not predicted. In 3-D, each layer wears with its own k, and the compliance is computed
+for the unworn layers.
 
-Bodies in 3-D are half-spaces: the contact must be small compared with the radii (a warning is given from a fifth on). For
+Bodies in 3-D are half-spaces: the contact must be small compared with the radii. A half width above a fifth of the radius causes a warning. For
 conforming bodies use joint{} (a ball in a socket) or a pin in a bush in 2-D: examples "pin_in_bush". Bodies do not tilt under
 load; a misaligned flat or roller is a sloping profile, body.profile{ y=function(x) return 1e-3 * x end }. Ra, Rq and other
 parameters of profiles are computed (profile.roughness), but no areal parameters such as Sq. There is no generator
@@ -201,7 +212,7 @@ Wear is a volume in mm3. Mass loss is the volume times the density: 1 mg of 1 g/
 convert it to a volume for calibrate{}.]] },
 
   { "accuracy", [[
-Errors of a run are due to the mesh, to the steps in time, and to the data. To estimate them:
+Errors of a run are due to the mesh, to the steps, and to the data. To estimate these errors:
 
   mesh    repeat the run with model = { mesh = { fineness = 2 } }; the change
           of a depth is about its error
@@ -209,13 +220,14 @@ Errors of a run are due to the mesh, to the steps in time, and to the data. To e
           halve a fixed jump
   both    study.converge{ base = {...} } searches for the size and the jump
 
-On automatic meshes with automatic steps, depths of homogeneous bodies without friction are within 1 % in the tests of archard,
-usually within 0.1 %. Pressures at edges of scars (p_max, p_peak) grow as the mesh is refined. Warnings report what a run did not
-resolve. contact{} on its own mesh can be compared with hertz{}. Measured values have errors too: w:sensitivity{} shows what a
-change of k, load or E does, study{ sample = } the scatter, and fit{} the standard errors of k and alpha.]] },
+On automatic meshes with automatic steps, depths of homogeneous bodies without friction have errors below 1 % in the tests of
+archard, usually below 0.1 %. Pressures at edges of scars (p_max, p_peak) grow as the mesh is refined. A warning is printed if the
+mesh does not resolve friction or a layer. An unworn contact{} on its automatic mesh can be compared with hertz{}. Measured values
+have errors too: w:sensitivity{} shows the effect of a change of k, load or E, study{ sample = } the scatter of results, and fit{}
+the standard errors of k and alpha.]] },
 
   { "warning", [[
-A warning is printed once, when it is found, and the run continues. The most frequent ones:
+A warning is printed once, and the run continues. The most frequent warnings, in short:
 
   past the stability limit     the jump is too long: help "steps"
   outgrows its mesh            the run continues on new meshes; nothing to do
@@ -223,7 +235,8 @@ A warning is printed once, when it is found, and the run continues. The most fre
                                k was probably given in mm3/(N m): help "units"
   cells or elements too large  the friction or a layer is not resolved: use a
                                smaller mesh.size, or omit it
-  contact beyond half-spaces   a > radius / 5 in 3-D: results are approximate
+  contact beyond half-spaces   in 3-D the half width exceeds a fifth of the
+                               radius: results are approximate
 
 A study stores the warning of each case; case.warning is the text. A single run prints its
 warnings but does not store them. An error, in contrast, stops the call and changes nothing.]] },
@@ -238,25 +251,27 @@ direction of the motion, y is up, z is across. A ball on a flat:
   print(w.depth.ball, w.depth.block, w.volume.block)   -- mm, mm3
   plot.map(w, { body = "block" })
 
-track = 20 makes the flat a disc with a track of this radius. Friction and fretting: friction=, tangential=. Topographies:
-map.read, body.map. Sections: w:profile("block", { z = 0 }). Files: export.vti, export.pvd. See examples "ball_on_flat",
+track = 20 makes the flat a disc with a track of radius 20 mm. Friction and fretting have the fields friction and tangential.
+map.read and body.map are for measured topographies, w:profile("block", { z = 0 }) is a section, and export.vti and export.pvd write
+files. See examples "ball_on_flat",
 "pin_on_disc_3d", "fretting_ball", "rough_ball".]] },
 
   { "troubleshooting", [[
-"no global 'x'": the name has no value. rawget(_G, "x") returns nil without an error, as do all names with archard --lax.
+"no global 'x'": no value has the name x. rawget(_G, "x") returns nil without an error. With archard --lax, all unknown names
+are nil.
 
 "no field ... did you mean ...": an object has no such field or method. help(wear) lists the fields and methods of a run.
 
 Rough profiles, ripples, sawtooth or oscillating pressures from node to node: the jump is above the stability limit. Use jump = "auto",
 or a jump below w:stability(). See help "steps".
 
-Zone too narrow: omit the model in contact{}, or increase the mesh.zone named in the message. Runs enlarge it automatically.
+Zone too narrow: omit the model in contact{}, or increase the mesh.zone named in the message. Runs enlarge the zone automatically.
 
 Too coarse for the contact: fewer than four elements per half width. Give a smaller mesh.size, or omit it; see help "meshes".
 
-A contact, step or fit that did not converge raises an error that describes the problem. Contacts: check the units and the
-shape of worn surfaces. Steps: use shorter ones, or jump = "auto". Fits: give better start values, bounds, or fewer unknowns. Whether mesh and
-steps are fine enough: study.converge{}, or compare with mesh.fineness = 2.
+A contact, step or fit that does not converge raises an error that describes the problem. For a contact, check the units and the
+shape of worn surfaces. For a step, use shorter steps, or jump = "auto". For a fit, use better start values, bounds, or fewer
+unknowns. To check if mesh and steps are fine enough, use study.converge{}, or compare with mesh.fineness = 2.
 
 Slow runs: time(function() w:step() end) measures a step. Use larger elements, fewer increments, longer steps. Studies use all
 processors by default.

@@ -82,8 +82,8 @@ local function results_of(from, id)
   return results.state and results or nil
 end
 
--- Saves a run as the case `id`. surfaces: earlier surfaces, for a run of the engine; others: further
--- results by name, or nil.
+-- Saves a run as the case `id` of a file. surfaces: surfaces at earlier updates, for a run of the engine;
+-- others: further results by name, or nil.
 function file.save(to, id, run, surfaces, others)
   if not is_joint(run) then
     to:save(id, run, surfaces)

@@ -17,7 +17,7 @@ local load_kind = check.kind("a function of t, a number or a list of N, or { x=,
   return type(v) == "function" or type(v) == "table" or check.positive.test(v)
 end)
 given.kind = check.kind('a gait such as gait "iso", or its fields', function(v) return type(v) == "table" or given.is(v) end)
-given.fields = { gait = given.kind, name = check.text, instants = check.list } -- the last two: from run files
+given.fields = { gait = given.kind, name = check.text, instants = check.list } -- name, instants: in run files
 local fields = { flexion = angle_kind, adduction = angle_kind, rotation = angle_kind, load = load_kind, order = check.text,
   increments = check.count, t = check.list_of(check.number, "a list of times from 0 to 1", true), period = check.positive }
 

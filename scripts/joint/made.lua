@@ -18,7 +18,7 @@ strict.class(class)
 
 local most_lost = 0.01 -- largest relative error of path or work without a warning
 
--- Warns if the increments change path or work by more than `most_lost`. The error decreases with the
+-- Warns if the error of path or work due to the increments exceeds `most_lost`. The error decreases with the
 -- square of the number of increments. It is therefore 4/3 of the change when this number is doubled.
 local function warn_of_few(name, count, track, work, finer)
   local fine_track, fine_work = sphere.path(finer, 14)

@@ -215,8 +215,8 @@ local function block_at(run)
   return run.blocks[#run.blocks], math.huge
 end
 
--- Returns a to-be-closed value that restores the present state of the joint at the end of its block. A
--- contact computed in the block therefore does not change the run.
+-- Returns a to-be-closed value, which restores the present state of the joint when it is closed. A contact
+-- that is computed before does therefore not change the run.
 local function unchanged(run)
   local state = sphere.state(run.engine)
   return setmetatable({}, { __close = function() sphere.set_state(run.engine, state) end })
@@ -233,8 +233,8 @@ local function check_contact(run, gait_of_block)
   return contact
 end
 
--- Checks the contact of a block that begins. Pressure and area of the first block's contact are written
--- into the first row of the history.
+-- Checks the contact at the start of a block of the loading. At the start of the run, the pressure and the
+-- area of the contact are written into the first row of the history.
 local function begin_block(run, block)
   if run.cycle > 0 then
     local _ <close> = unchanged(run)
@@ -246,14 +246,14 @@ local function begin_block(run, block)
   run.checked = block
 end
 
--- Returns the number of cycles to the next update if the user gave the number m of updates. Update j ends
--- at the cycle n (j/m)^1.5 of n cycles.
+-- Returns the number of cycles to the end of the next update if the user set the number m of updates. In a
+-- run of n cycles, update j ends at cycle n (j/m)^1.5.
 local function next_of_updates(run)
   local j = math.floor(run.updates * (run.cycle / run.cycles) ^ (2 / 3) + 1e-6) + 1
   return run.cycles * (j / run.updates) ^ 1.5 - run.cycle
 end
 
--- Returns the number of cycles of the next update from the fields updates or jump; nil if the user gave
+-- Returns the number of cycles of the next update from the field updates or jump; nil if the user set
 -- neither.
 local function given_cycles(run)
   if run.updates then return next_of_updates(run) end
@@ -263,8 +263,8 @@ local function given_cycles(run)
   return cycles
 end
 
--- Returns the number of cycles of an explicit update. It is the smaller of two values: the stability limit,
--- and `jump` or a fixed part of the total cycles.
+-- Returns the number of cycles of an explicit update: `jump` or, without a jump, a fixed part of the total
+-- cycles, but at most the stability limit.
 local function explicit_cycles(run, instants)
   local most = run.jump and given_cycles(run) or run.cycles / (run.updates or usual.updates)
   if run.k == 0 then return most end
@@ -305,7 +305,8 @@ end
 
 local ended = setmetatable({}, { __close = function() process.report "" end })
 
--- Adds the progress to the error message of Ctrl-C until the returned to-be-closed value is closed.
+-- Adds the progress of the run to the error message of Ctrl-C, until the returned to-be-closed value is
+-- closed.
 local function report(run, goal)
   process.report(("joint_wear:run: %.6g of %.6g cycles are computed and kept, w:run() continues"):format(run.cycle, goal))
   return ended
@@ -342,7 +343,7 @@ function methods:sensitivity(given) return sphere.sensitivity(self, given) end
 
 -- --- results ------------------------------------------------------------------------------------
 
--- Returns the number of the instant with the largest load, from 1.
+-- Returns the number (from 1) of the instant with the largest load.
 function methods:heaviest() return (select(3, largest_load(self.loading.instants))) end
 
 -- Solves the contact of the present surfaces at an instant of the cycle, given by its number from 1.
@@ -389,7 +390,7 @@ local function step_words(run)
   end
   if run.updates then return ("%d updates"):format(run.updates) end
   if run.jump then return type(run.jump) == "number" and ("updates of %g cycles"):format(run.jump) or "updates by a function" end
-  return ("steps within %g"):format(run.tolerance)
+  return ("steps with the tolerance %g"):format(run.tolerance)
 end
 
 function class:__tostring()

@@ -1,6 +1,6 @@
 -- Shows on standard error the progress of building a model. Returns a function(what, share, seconds), or
 -- nil if standard error is not a terminal. what: name of the part that is being built; share: finished
--- share, 0 to 1. A call without arguments clears the line.
+-- share, 0 to 1; seconds: time since the start. A call without arguments clears the line.
 
 local term = require "archard.term"
 

@@ -30,9 +30,9 @@ check.shown = names.shown -- shown(value) formats a value for a message: "dumb",
 
 -- --- kinds of values: a test and a text of the expected value ----------------------------------
 
--- Returns a kind of values. expected: its text in messages; test(value): returns true for an accepted
--- value. For lists, `item` is the kind of the items (to report the wrong item), and `growing` is true if
--- the items must increase.
+-- Returns a kind of values, which the functions below use to check arguments. expected: text of the kind in
+-- messages; test(value): returns true for an accepted value. For lists, `item` is the kind of the items (to
+-- report the wrong item), and `growing` is true if the items must increase.
 function check.kind(expected, test, item, growing)
   return { expected = expected, test = test, item = item, growing = growing }
 end
@@ -144,7 +144,7 @@ function check.refuse(where, name, expected, value)
   check.fail(where, ("field '%s': expected %s, got %s"):format(name, expected, check.shown(value)))
 end
 
--- Raises the error for a value of a wrong kind, or for the wrong item of a list.
+-- Raises an error for a value of a wrong kind or, if the value is a list, for its first wrong item.
 local function refuse_kind(where, name, expected_kind, value)
   if expected_kind.item and type(value) == "table" then
     local i, expected = wrong_item(value, expected_kind.item, expected_kind.growing)

@@ -12,7 +12,7 @@ local function cell(value)
   return '"' .. value:gsub('"', '""'):gsub("[\r\n]+", " ") .. '"'
 end
 
--- Returns the CSV text of rows. columns: number of cells in each line; nil in a row gives an empty cell.
+-- Returns the CSV text of rows. columns: number of cells in each line; nil in a row is an empty cell.
 return function(rows, columns)
   local lines, cells = {}, {}
   for i, row in ipairs(rows) do

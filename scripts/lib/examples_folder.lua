@@ -7,8 +7,8 @@ local text_file = require "archard.lib.text_file"
 
 local folder = {}
 
--- Paths of the examples folder for an installed copy and for the build folder. They are relative to the
--- program or to archard.so, the module for the stock interpreter.
+-- Paths of the examples folder for an installed program and for a program in the build folder, relative to
+-- the program or to archard.so, the module for the stock interpreter.
 local beside_program = { "/../share/archard/examples", "/../examples", "/../../examples" }
 local beside_module = { "/../../../share/archard/examples", "/../../../../share/archard/examples", "/../../examples" }
 
@@ -48,7 +48,8 @@ local function title(path)
   return text:match("^(.-[.])%s") or text
 end
 
--- Returns a list of the examples in the form of help entries, with name and first sentence.
+-- Returns a list of the examples in the form of help entries. The text of an entry is the example's first
+-- sentence.
 function folder.entries()
   local list = {}
   for i, name in ipairs(folder.names()) do

@@ -1,5 +1,5 @@
--- Returns the path of archard.so, the module for the stock interpreter, and the Lua code with which another
--- process of this program calls a module.
+-- How a new process starts this program: the path of archard.so, which is the module for the stock
+-- interpreter, and Lua code that calls a module.
 
 local itself = {}
 

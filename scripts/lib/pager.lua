@@ -1,5 +1,5 @@
--- Shows a text that is longer than the terminal page by page, by the program $PAGER or less, or by its
--- own code if there is none. Prints the text if it is shorter or if there is no terminal.
+-- Shows a text that is longer than the terminal page by page, with the program $PAGER or less, or with own
+-- code if there is no such program. Prints the text if it is shorter or if there is no terminal.
 
 local term = require "archard.term"
 

@@ -63,8 +63,8 @@ local function requirer(folder)
   end
 end
 
--- Metatables made by the user. Other metatables are hidden: Lua would run a finalizer that the user adds to
--- them without counting its instructions.
+-- Metatables made by the user. Other metatables are hidden, because the user could add a finalizer to them,
+-- and Lua would not count the instructions of this finalizer.
 local theirs = setmetatable({}, { __mode = "k" })
 
 local function hide_metatables()

@@ -1,4 +1,4 @@
--- Prints the names of files written by a call on standard error.
+-- Prints on standard error the names of the files that a call wrote.
 
 local written = {}
 

@@ -77,8 +77,8 @@ local function advance(self, points, a, b, rr)
   end
 end
 
--- Returns the points in units of half the map's length, measured from its middle. The mean height is
--- subtracted. Only points with is_used(x, z) are included.
+-- Returns the points with lengths in units of half the map's length, measured from its middle. The mean
+-- height is subtracted. Only points for which is_used(x, z) returns true are included.
 local function scaled(self, x, z, y, is_used)
   local points, sum = { u = {}, v = {}, y = {}, g = {} }, 0
   for i = 1, #x do
@@ -99,8 +99,8 @@ end
 local shape = {}
 shape.__index = shape
 
--- Fits a form ("plane" or "sphere") to the points with is_used(x, z), or to all points. Returns the form,
--- or nil if the points do not determine it.
+-- Fits a form ("plane" or "sphere") to the points for which is_used(x, z) returns true; without is_used, to
+-- all points. Returns the form, or nil if the points do not determine it.
 function form.fit(kind, x, z, y, is_used)
   local self = setmetatable({ kind = kind, x = (x[1] + x[#x]) / 2, z = (z[1] + z[#z]) / 2,
     half = math.max(x[#x] - x[1], z[#z] - z[1]) / 2, p = zeros(kind == "plane" and 3 or 4) }, shape)

@@ -18,8 +18,8 @@ local function refuse(where, kind, scar)
     scar and " outside the scar" or ""))
 end
 
--- Returns a map minus the form that was fitted outside the scar. scar: { x0, x1, z0, z1 } [mm], or nil to
--- fit all points.
+-- Returns the map t minus a form (plane or sphere) that is fitted to its points outside the scar. scar:
+-- { x0, x1, z0, z1 } [mm], or nil to fit all points.
 function level.off(where, t, kind, scar)
   local found, y = form.fit(kind, t.x, t.z, t.y, outside(scar)), {}
   if not found then refuse(where, kind, scar) end

@@ -71,7 +71,7 @@ local function grow(y, nx, nz)
   return all
 end
 
-local sweeps, most_visits = 400, 2e7 -- limits of the iteration; enough for a hole 20 points wide
+local sweeps, most_visits = 400, 2e7 -- limits of sweeps and visits; enough for a hole 20 points wide
 
 -- Fills missing values by iteration, until each is nearly the mean of its four neighbours. At least one
 -- point must have a value.

@@ -1,5 +1,5 @@
--- A map file during reading: reads its bytes in order, reads grids of values, and raises errors with the
--- name of the file. Sizes from a header are compared with the size of the file before memory is allocated.
+-- Reads the bytes of a map file in order, reads grids of values, and raises errors with the name of the file.
+-- Sizes from a header are compared with the size of the file before memory is allocated.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -70,7 +70,8 @@ function source:check_size(nx, nz, size, row)
   end
 end
 
--- Returns a finite or missing value. An infinite value is an error; i, j: point and row for its message.
+-- Returns `value`, which is finite or missing. Raises an error for an infinite value; the message has the
+-- point i and the row j.
 function source:checked(value, i, j)
   if value == math.huge or value == -math.huge then
     self:refuse("point %d of row %d: expected a finite number, got %g", i, j, value)

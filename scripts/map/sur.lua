@@ -31,7 +31,7 @@ local function scales(source, order)
     dy = source:positive(dy, "the step of z"), unit_x = unit_of(source, unit_x, "x"), unit_y = unit_of(source, unit_y, "z") }
 end
 
--- Returns the offsets of x, z and y in the header, and moves to the first point.
+-- Returns the offsets of x, z and y from the header, and moves the reading position to the first point.
 local function offsets(source, order)
   source.at = 335
   local comment, private = source:take(order .. "I2I2", "the length of the comment")

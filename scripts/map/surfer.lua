@@ -51,7 +51,7 @@ end
 
 local sections = { header = 0x42525344, grid = 0x44495247, data = 0x41544144 }
 
--- Moves to the section `name` of the file and returns its size in bytes.
+-- Moves the reading position to the section `name` of the file. Returns the size of the section in bytes.
 local function go_to(source, name)
   while true do
     local id, size = source:take("<i4i4", ("the %s section"):format(name))

@@ -9,8 +9,8 @@ local text = {}
 
 local function is_missing(word) return word:lower():find "^[+-]?nan$" or word == "BAD" or word == "---" end
 
--- Splits a line at blanks, tabs and semicolons, and at commas. If the line has commas between digits beside
--- blanks, tabs or semicolons, commas are decimal.
+-- Splits a line at blanks, tabs, semicolons and commas. Commas between digits are decimal commas if the line
+-- has blanks, tabs or semicolons as separators.
 local function words_of(line)
   local inner, words = line:match "^[%s;]*(.*)", {}
   local decimal = inner:find "%d,%d" and inner:find "[%s;]+%S" and not inner:find ",[%s;]" and not inner:find "[%s;],"
@@ -59,8 +59,9 @@ end
 
 -- --- points -----------------------------------------------------------------------------------------
 
--- Groups values that differ by less than a third of the largest gap between neighbours. Returns the mean of
--- each group, and a list with the group index of each value.
+-- Groups values: sorted neighbours are in one group if they differ by at most a third of the largest
+-- difference between neighbours. Returns the mean of each group, and a list with the group index of each
+-- value.
 local function levels(values)
   local order, gap = {}, 0
   for i = 1, #values do order[i] = i end

@@ -87,8 +87,8 @@ local function chain_before(tokens, i)
   end
 end
 
--- Returns the frame (bracket) opened by "{". `call`: chain of the function that is called with the table;
--- `path`: names of the fields that contain the inner table.
+-- Returns the frame of the open bracket "{" at token `i`. Its field `call` is the chain of the function that
+-- is called with the table, its field `path` the names of the fields that contain the inner table.
 local function brace_frame(tokens, i, parent)
   local before = tokens[i - 1]
   local frame = { open = "{", used = {} }
@@ -159,8 +159,8 @@ local function raw_member(value, key)
   end
 end
 
--- Returns the value of a chain and the address of its help entry; each may be nil. Help entries give the
--- class of fields that are computed on access.
+-- Returns the value of a chain and the address of its help entry; each may be nil. The class of fields that
+-- are computed on access is known from their help entries.
 local function resolve(chain)
   local value = rawget(globals, chain[1])
   local address = value == nil and nil or class_of(value) or help.address_of(value)
@@ -248,7 +248,7 @@ local function member_words(tokens, prefix)
   local chain = chain_before(tokens, #tokens - 1)
   if not chain then return {} end
   local value, address = resolve(chain)
-  -- Some names exist only as arguments of user functions, such as `state`.
+  -- Some names, such as `state`, exist only as arguments of the user's functions.
   if value == nil and not address then address = table.concat(chain, ".") end
   local set = {}
   add_members(set, value, separator == ":")

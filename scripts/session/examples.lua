@@ -1,4 +1,4 @@
--- examples(): shows and runs the example programs of the course.
+-- examples() lists and shows the example programs, examples.run runs one.
 
 local check = require "archard.lib.check"
 local examples_folder = require "archard.lib.examples_folder"
@@ -7,7 +7,8 @@ local text_file = require "archard.lib.text_file"
 
 local examples = {}
 
--- examples.names() returns the names of the files in the order of the course, such as "01_contact".
+-- examples.names() returns the names of the example files, such as "01_contact", in the order of their
+-- numbers.
 examples.names = examples_folder.names
 
 -- Returns the path of an example, given by its number, its name, or number and name such as "01_contact".
@@ -27,7 +28,7 @@ end
 local function overview()
   local show = require "archard.help.show"
   return show.listing("Examples", examples_folder.entries())
-    .. '\n\nexamples "wear" or examples(2) shows one, examples.run "wear" runs it'
+    .. '\n\nexamples "wear" or examples(2) shows an example, examples.run "wear" runs it'
 end
 
 -- examples.run(name, ...) runs the example with these arguments. The globals that it creates remain.

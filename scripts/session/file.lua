@@ -31,7 +31,7 @@ function readers.wear(_, file, id, functions) return joint_file.wear(file, id, f
 
 writers.joint_wear, readers.joint_wear = writers.wear, readers.wear
 
--- Returns the error message. If a function of a run is missing, the message explains how to give it.
+-- Returns the error message. If a function of the run `name` is missing, the message explains how to pass it.
 local function cure(message, name)
   if not message:find("expected a function, as when the run was saved", 1, true) then return message end
   local field = message:match "^field '([%w_]+)'" or "k"
@@ -44,7 +44,8 @@ end
 
 writers.model, writers.joint, writers.gait = write_fields, write_fields, write_fields
 
--- The model of a run is read with the run. Its settings alone could result in a different model.
+-- The model of a run is read with the run, because the settings of the model could result in a different
+-- model.
 function readers.model(given, _, _, _, values)
   if given.of then return values[math.tointeger(given.of)].model end
   return model(settings.nest(given).is)
@@ -148,7 +149,7 @@ end
 
 -- --- saving --------------------------------------------------------------------------------------
 
--- Stores with each model the number of the first case that is a run with this model.
+-- Stores in the case of each model the number of the first case that is a run with this model.
 local function note_owners(cases)
   for _, each in ipairs(cases) do
     for id, other in ipairs(each.class == "model" and cases or {}) do
@@ -336,8 +337,8 @@ local function is_sound(given)
 end
 
 -- Raises ARC_FORMAT unless a stored case is a valid value of a session. The file is untrusted: a value must
--- have a known class and a name that no function of archard has, and it must be in a table that the file has
--- already created.
+-- have a known class and a name that archard does not use, and a value in a table must follow its table in
+-- the file.
 local function check_place(file, each, values, tables)
   local given, path = each.given, each.path
   local inside = table.move(path, 1, #path - 1, 1, {})
@@ -426,8 +427,8 @@ end
 
 -- --- leaving -------------------------------------------------------------------------------------
 
--- Returns the suggested file name: the last file of this session, or else the first name session.archard,
--- session-2.archard, ... that does not exist yet.
+-- Returns a file name to suggest: the last file of this session or, without one, the first of the names
+-- session.archard, session-2.archard, ... that does not exist yet.
 function session.suggested()
   if last then return last end
   for i = 1, math.huge do

@@ -1,5 +1,5 @@
--- Results and contacts, which a session saves by their parts. A result is a table of plain values and of
--- other saved objects. A contact is saved as the list of calls that created it.
+-- Splits results and contacts into parts that a session can save, and creates them again. A result is a table
+-- of plain values and of other saved objects. A contact is saved as the list of calls that created it.
 
 local check = require "archard.lib.check"
 local quiet = require "archard.lib.quiet"
@@ -62,8 +62,7 @@ local function made_contact(parts)
   return made
 end
 
--- Returns the arguments with which the contact of a joint is solved again. Such a contact has no earlier
--- moves.
+-- Returns the arguments with which the contact of a joint is solved again. A contact of a joint has no moves.
 local function joint_contact_parts(contact)
   return { model = contact.model, given = { load = contact.load, direction = contact.direction } }
 end

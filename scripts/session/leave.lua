@@ -1,5 +1,5 @@
--- The question that the prompt prints before it ends if runs, results or contacts are unsaved. cli/repl.c
--- calls this module.
+-- Question at the end of the prompt: save unsaved runs, results and contacts or not. cli/repl.c prints the
+-- question and passes the answer to this module.
 
 local own = require "archard.session.own"
 local session = require "archard.session.file"
