@@ -1,5 +1,5 @@
--- The table export: functions that write files for other programs. archard.files writes single files; the
--- modules in this folder write series of files, summaries of runs and files of maps.
+-- Defines the table `export`, whose functions write files for other programs. The module archard.files writes
+-- single files; the modules in this folder write series of files, summaries of runs, and maps.
 
 local files = require "archard.files"
 local lazy = require "archard.lib.lazy"

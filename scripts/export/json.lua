@@ -1,5 +1,5 @@
--- Formats values as JSON text. Tables with an item [1] become arrays, other tables become objects with sorted keys,
--- and NaN and infinity become null.
+-- Formats Lua values as JSON. Tables with an element [1] become arrays, other tables become objects with
+-- sorted keys, and NaN and infinity become null.
 
 local as_utf8 = require "archard.lib.as_utf8"
 local files = require "archard.files"
@@ -10,7 +10,7 @@ local json = { null = setmetatable({}, { __name = "null" }) }
 local escapes = { ['"'] = '\\"', ["\\"] = "\\\\", ["\b"] = "\\b", ["\f"] = "\\f", ["\n"] = "\\n", ["\r"] = "\\r",
   ["\t"] = "\\t" }
 
--- Returns a text as a quoted JSON string.
+-- Returns the string `text` with quotes and escapes as required by JSON.
 local function quoted(text)
   return '"' .. as_utf8(text):gsub('[%c"\\\x7F]', function(c)
     return escapes[c] or ("\\u%04x"):format(c:byte())

@@ -1,5 +1,5 @@
--- export.vti, export.gsf and export.csv for maps: image data for ParaView, fields for Gwyddion, and tables
--- of points.
+-- Writes maps to files: export.vti writes image data for ParaView, export.gsf fields for Gwyddion, and
+-- export.csv tables of points.
 
 local axis = require "archard.map.axis"
 local check = require "archard.lib.check"
@@ -14,7 +14,8 @@ local maps = {}
 
 local escapes = { ["&"] = "&amp;", ["<"] = "&lt;", ['"'] = "&quot;" }
 
--- Checks the path of a file and returns it. A path without an extension gets the extension `ending`.
+-- Checks the path of a file and returns it. The extension `ending` is added to a path without an extension;
+-- any other extension is an error.
 local function checked_path(where, path, ending)
   local own = check.file.test(path) and path:match "%.[^./]*$"
   if not check.file.test(path) or own and own ~= ending then
@@ -37,8 +38,8 @@ local function differ(a, b)
   return math.abs(a[1] - b[1]) > tolerance or math.abs(a[#a] - b[#b]) > tolerance
 end
 
--- Checks a map or a list of maps, and returns a list. All maps must have the same points and different
--- names.
+-- Checks a map or a list of maps and returns a list of maps. All maps in a list must have the same points and
+-- different names.
 local function list_of(where, given)
   if map.is(given) then return { given } end
   if type(given) ~= "table" or given[1] == nil then
@@ -48,7 +49,7 @@ local function list_of(where, given)
   for i, t in ipairs(given) do
     check_map(where, t, i)
     if differ(t.x, given[1].x) or differ(t.z, given[1].z) then
-      check.fail(where, ("item %d: expected the points of the first map, got %d x %d different ones; use t:resample and t:crop "
+      check.fail(where, ("item %d: expected the points of the first map, got %d x %d other points; use t:resample and t:crop "
         .. "on the maps"):format(i, #t.x, #t.z))
     end
     if seen[t.name] then
@@ -59,7 +60,7 @@ local function list_of(where, given)
   return list
 end
 
--- Adds the values of a map to the lines in the order of VTK: x changes fastest, then z.
+-- Appends the values of a map to the list of text lines, in the order of VTK: x changes fastest, then z.
 local function add_values(lines, t)
   local row, nz = {}, #t.z
   for j = 1, nz do
@@ -68,8 +69,8 @@ local function add_values(lines, t)
   end
 end
 
--- Returns the maps of a body of a run (depth, height and pressure), or nil for a body without maps, such as
--- a groove.
+-- Returns the depth, height and pressure maps of a body of a run, or nil for a body without maps, such as a
+-- groove.
 local function maps_of(run, body)
   local list = {}
   for i, what in ipairs{ "depth", "height", "pressure" } do
@@ -80,8 +81,7 @@ local function maps_of(run, body)
   return list
 end
 
--- Writes a file STEM-BODY.vti for each body of a run in three dimensions. Returns the list of files
--- written.
+-- Writes one file STEM-BODY.vti for each body of a three-dimensional run. Returns the list of paths.
 function maps.bodies(where, run, stem)
   local files_written = {}
   for _, body in ipairs{ run.model.bodies.upper, run.model.bodies.lower } do
@@ -91,8 +91,9 @@ function maps.bodies(where, run, stem)
   return files_written
 end
 
--- export.vti(object, path): writes one file for a map, a list of maps, or the pressure of a contact in
--- three dimensions, and one file for each body of a run. Returns the files written.
+-- Lua function export.vti(object, path). It writes one file for a map, for a list of maps, or for the
+-- pressure of a three-dimensional contact. For a three-dimensional run it writes one file for each body.
+-- Returns the paths.
 function maps.vti(given, path)
   local where = "export.vti"
   path = checked_path(where, path, ".vti")
@@ -104,8 +105,8 @@ function maps.vti(given, path)
   return written.returned(where, maps.write(where, list_of(where, given), path))
 end
 
--- Writes the points of a list of maps in the plane y = 0, with one array of values for each map. Returns
--- the path.
+-- Writes maps with common points as VTK image data in the plane y = 0, one array of values for each map.
+-- Returns the path.
 function maps.write(where, list, path)
   local x, z = list[1].x, list[1].z
   local extent = ("0 %d 0 0 0 %d"):format(#x - 1, #z - 1)
@@ -126,7 +127,7 @@ end
 
 -- --- GSF and CSV files ------------------------------------------------------------------------------
 
--- export.gsf(map, path): writes a map for Gwyddion and returns the path of the file.
+-- Lua function export.gsf(map, path): writes a map in the GSF format of Gwyddion and returns the path.
 function maps.gsf(t, path)
   local where = "export.gsf"
   check_map(where, t)
@@ -146,7 +147,8 @@ local function csv_of(t)
   return table.concat(lines, "\n") .. "\n"
 end
 
--- Returns the columns theta, phi and value of a map over angles, and the units of the angles.
+-- Converts a map over the angles theta and phi to a table with the columns theta, phi and value. Also returns
+-- the units of the angles.
 local function lattice_of(map)
   local theta, phi = {}, {}
   for _, each in ipairs(map.theta) do
@@ -157,9 +159,9 @@ end
 
 local function is_lattice(t) return type(t) == "table" and rawget(t, "theta") and rawget(t, "phi") and rawget(t, "values") end
 
--- export.csv(object, path): writes a file and returns its path. The file contains x, z and the value of
--- each point of a map, the table of a study, the history of a joint's run, the pressure of a joint's
--- contact, or the values of a map over theta and phi. archard.files writes all other objects.
+-- Lua function export.csv(object, path): writes a CSV file and returns its path. This function writes maps
+-- over x and z, maps over theta and phi, the table of a study, the history of a joint's run, and the pressure
+-- of a joint's contact. archard.files writes all other objects.
 function maps.csv(...)
   local t, path = ...
   if strict.is(t, "joint_wear") then

@@ -1,5 +1,6 @@
--- export.pvd writes a series of states of a run. Each state has a .vtu file for each body (a .vti file of
--- maps in three dimensions), and a .pvd file lists all files with their sliding distances.
+-- Lua function export.pvd: writes a series of states of a run for ParaView. Each state has one .vtu file for
+-- each body (in three dimensions, a .vti file of maps). The .pvd file lists all files with their sliding
+-- distances.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -10,8 +11,8 @@ local vtk = require "archard.export.sphere".vtk
 local where = "export.pvd"
 local escapes = { ["&"] = "&amp;", ["<"] = "&lt;", ['"'] = "&quot;" }
 
--- Writes the list of all states to the .pvd file. It is rewritten after each state and is therefore always
--- complete.
+-- Writes the .pvd file, which lists the files of all states. It is rewritten after each state, so the list is
+-- always complete.
 local function write_list(path, parts)
   local lines = { '<?xml version="1.0"?>', '<VTKFile type="Collection" version="1.0">', "<Collection>" }
   for _, part in ipairs(parts) do
@@ -22,7 +23,8 @@ local function write_list(path, parts)
   files.write(where, path, table.concat(lines, "\n"))
 end
 
--- Writes the files of the present state and adds them to `parts`. number: number of the state, from 0.
+-- Writes the files of the run's current state and appends them to `parts`. number: number of the state, from
+-- 0.
 local function add_state(run, stem, parts, number)
   local name = ("%s-%05d"):format(stem, number)
   local is_map = run.model.geometry == "3-D"
@@ -31,7 +33,7 @@ local function add_state(run, stem, parts, number)
   end
 end
 
--- Checks the path and returns it without the extension .pvd.
+-- Checks the path of a .pvd file and returns it without the extension.
 local function stem_of(path)
   if not check.file.test(path) then check.refuse(where, "path", "a file name", path) end
   local stem, ending = path:match("^(.-)(%.[^./]*)$")
@@ -44,9 +46,9 @@ local function stem_of(path)
   return stem or path
 end
 
--- export.pvd(run, path, { every= }) writes the present state and returns a function that adds further
--- states. Called without arguments, the function always adds the present state. As the progress function of
--- w:run, it adds a state after every n-th update (n = every) and at the end of the run.
+-- export.pvd(run, path, { every= }) writes the current state and returns a function that adds states. Called
+-- without arguments, this function adds the current state. Passed to w:run as its progress function, it adds
+-- a state after every n-th update (n = every, default 1) and at the end of the run.
 return function(run, path, options)
   if check.shown(run) ~= "a wear object" and not joint_file.is_joint(run) then
     check.fail(where, "expected a wear object, got " .. check.shown(run))

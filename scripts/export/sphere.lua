@@ -1,6 +1,6 @@
--- export.vtk of joints: writes one .vtu file of the worn surface of the head and one of the cup. The cells
--- are quadrilaterals with wear depth and pressure, and for the cup also cross-shear. The head is drawn in
--- its position under the largest load.
+-- Lua function export.vtk for joints: writes the worn surfaces as one .vtu file for the head and one for the
+-- cup. The cells are quadrilaterals with wear depth and pressure, in the cup also with cross-shear. The head
+-- is drawn in its position under the largest load.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -15,15 +15,16 @@ local function direction(theta, phi)
   return { math.cos(theta), s * math.sin(phi), s * math.cos(phi) }
 end
 
--- Returns the product R n of a 3 x 3 matrix, stored row by row, and a vector.
+-- Returns the product R n of a 3 x 3 matrix R, stored row by row, and a vector n.
 local function turned(R, n)
   local list = {}
   for a = 1, 3 do list[a] = R[3 * a - 2] * n[1] + R[3 * a - 1] * n[2] + R[3 * a] * n[3] end
   return list
 end
 
--- Returns an array [rows + 1][2 rows] with the coordinates [mm] of the corners of the lattice as texts. The last
--- argument is a function that rotates a direction into the frame of the cup.
+-- Returns a list of strings, each with the coordinates [mm] of one corner of the lattice. The lattice has
+-- `rows` + 1 angles theta and 2 `rows` angles phi. The last argument is a function that rotates a direction
+-- into the frame of the cup.
 local function corners(rows, radius, place)
   local lines, d = {}, math.pi / rows
   for i = 0, rows do
@@ -35,8 +36,8 @@ local function corners(rows, radius, place)
   return lines
 end
 
--- Returns the cells whose centre n is covered by the body, each as { site = index of the cell, corners =
--- text }.
+-- Returns a list of the cells whose centre lies on the body, each as { site = index of the cell, corners =
+-- string of corner indices }. covered(n): returns true if the body covers the direction n.
 local function cells_of(rows, covered)
   local list, d = {}, math.pi / rows
   for i = 0, rows - 1 do
@@ -62,8 +63,8 @@ local function add_whole(lines, name, kind, values)
   lines[#lines + 1] = ('<DataArray type="%s" Name="%s" format="ascii">\n%s\n</DataArray>'):format(kind, name, table.concat(values, "\n"))
 end
 
--- Returns the text of a .vtu file. arrays: a list of { name, unit, values by index of the cell }; time:
--- the sliding distance [mm].
+-- Returns the contents of a .vtu file. arrays: a list of { name, unit, values by cell index }; time: the
+-- sliding distance [mm], stored as the time of the data.
 local function text_of(points, cells, arrays, time)
   local lines = { '<?xml version="1.0"?>', '<VTKFile type="UnstructuredGrid" version="0.1">', "<UnstructuredGrid>",
     ('<FieldData><DataArray type="Float64" Name="TimeValue" NumberOfTuples="1" format="ascii">%s</DataArray></FieldData>'):format(
@@ -88,7 +89,8 @@ end
 
 local function everywhere() return true end
 
--- Returns the values of a map of the cup at the cell centres of the head, which is rotated by the matrix R.
+-- Interpolates a map of the cup at the cell centres of the head and returns the list of values. R: rotation
+-- matrix of the head.
 local function on_head(rows, values, R)
   local list, d = {}, math.pi / rows
   for i = 0, rows - 1 do
@@ -112,15 +114,15 @@ local function cup_text(run, rows, pressure)
       { "cross_shear", "", run:map("cross shear").values } }, run.distance)
 end
 
--- Returns the text of a .vtu file of the cup with the pressure of a single contact.
+-- Returns the contents of a .vtu file with the pressure of a joint's contact on the surface of the cup.
 local function contact_text(c)
   local joint, rows = c.model, #c.pressure.theta
   return text_of(corners(rows, joint.head.radius + joint.cup.clearance, function(n) return n end), cells_of(rows, flat.cover(joint.cup)),
     { { "pressure", "MPa", c.pressure.values } }, 0)
 end
 
--- export.vtk(object, path): writes the head and the cup of a joint's run as two files, or the cup of a
--- joint's contact as one file. Returns the files written. archard.files writes all other objects.
+-- Lua function export.vtk(object, path): writes the head and the cup of a joint's run as two files, or the
+-- cup of a joint's contact as one file. Returns the paths. archard.files writes all other objects.
 function sphere.vtk(object, path)
   local where = "export.vtk"
   local is_contact = strict.is(object, "joint_contact")

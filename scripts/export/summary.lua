@@ -1,5 +1,5 @@
--- export.json writes the definition, progress and results of a run as JSON. The engine's lists of settings
--- and columns determine the fields.
+-- Lua function export.json: writes the definition, progress and results of a run as JSON. The engine's lists
+-- of settings and history columns (archard.settings) determine which fields are written.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -14,11 +14,11 @@ local written = require "archard.lib.written"
 
 local where = "export.json"
 
--- Settings that a wear object stores under another name, because the field with the same name contains
--- the current value: w.distance is the sliding distance so far.
+-- Settings that a wear object stores under another name, because the field of the same name contains the
+-- current value. Example: w.distance is the distance slid so far, w.total_distance is the setting.
 local held_as = { distance = "total_distance", update = "update_at" }
 
--- Converts a value for JSON; a function becomes the string "function".
+-- Copies a value for JSON. A function becomes the string "function", a material object becomes a table.
 local function plain(value)
   if type(value) == "function" then return "function" end
   local copy = {}
@@ -41,7 +41,7 @@ local function put(into, units, prefix, path, value, unit)
   if unit and unit ~= "" then units[prefix .. path] = unit end
 end
 
--- Adds the units of the fields of a body or layer to `units`. k = 0 means that no wear coefficient was
+-- Adds the units of the fields of a body or layer to `units`. A wear coefficient k = 0 means that none was
 -- given; it is replaced by null.
 local function complete(part, units, prefix)
   for _, class in ipairs{ "body", "material" } do
@@ -54,7 +54,8 @@ local function complete(part, units, prefix)
   if part.material then complete(part.material, units, prefix .. "material.") end
 end
 
--- Returns the values of a body that the user gave, or null for the default body.
+-- Returns the fields of a body that the user gave and adds their units to `units`. Returns null for the
+-- default body.
 local function body_of(given, units, prefix)
   if rawequal(given, nil) then return json.null end
   local body = plain(given)
@@ -64,7 +65,8 @@ local function body_of(given, units, prefix)
   return body
 end
 
--- Returns the settings of a class with their values in `object`. Their units are added to `units`.
+-- Returns the settings of a class ("wear", "model" or "material") with their values in `object`. Adds their
+-- units to `units`.
 local function definition(class, object, units, prefix)
   local into = {}
   for _, setting in ipairs(known[class]) do

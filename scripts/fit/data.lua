@@ -1,7 +1,7 @@
--- Reads and checks the user's data for a fit, and computes the simulated values at the same points. Data
--- are profiles of a body after a sliding distance (their position on the body is fitted too), friction loops
--- (fit/loop.lua), depth maps of joints (fit/sphere.lua), and quantities of the history as functions of the
--- sliding distance.
+-- Reads and checks the measurements of a fit, and computes the simulated values at the same points. A
+-- measurement is a profile of a body after a sliding distance (its position on the body is fitted too), a
+-- friction loop (fit/loop.lua), a depth map of a joint (fit/sphere.lua), or a quantity of the history over
+-- the sliding distance.
 
 local check = require "archard.lib.check"
 local columns = require "archard.settings".columns
@@ -17,7 +17,8 @@ local data = {}
 
 -- --- quantities of the history --------------------------------------------------------------------
 
--- Quantities that are sums of columns of the history, each as { columns, factor, unit, meaning }.
+-- Quantities that are computed from columns of the history, as { columns, factor, unit, meaning }: the value
+-- is the sum of the columns times the factor.
 local made = {
   volume = { { "volume_cylinder", "volume_plate" }, 1, "mm3", "wear volume of both bodies" },
   width = { { "half_width" }, 2, "mm", "contact width" },
@@ -29,8 +30,8 @@ end
 for name, one in pairs(made) do quantities[name] = one end
 data.quantities = quantities
 
--- Returns the columns, factor, unit and meaning of a quantity. depth_NAME and volume_NAME belong to the
--- body with the name NAME.
+-- Returns { columns, factor, unit, meaning } of a quantity. depth_NAME and volume_NAME are the depth and the
+-- volume of the body called NAME.
 local function quantity(name)
   return quantities[name] or { { name }, 1, name:match "^depth" and "mm" or "mm3", name:gsub("_", " of the ") }
 end
@@ -85,8 +86,8 @@ local function same_count(where, prefix, name, values, count)
   return values
 end
 
--- Returns the list of errors of the values, in the unit of the values, or nil if the user gave no error.
--- own: errors that the profile itself contains.
+-- Returns the list of standard errors of the values, in the unit of the values, or nil if none were given.
+-- own: errors stored in the profile, or nil.
 local function errors_of(where, prefix, given, own, value)
   local absolute = given.error or own
   if given.error and given.relative then
@@ -105,7 +106,7 @@ local function errors_of(where, prefix, given, own, value)
   return absolute and same_count(where, prefix, "error", as_list(absolute, #value), #value)
 end
 
--- Fields that are allowed only for one kind of data: profiles or loops.
+-- Fields that are allowed only for profiles or only for loops, and the bodies of joints.
 local of_profiles = { "profile", "x", "h", "body", "section", "shift", "tilt", "level" }
 local of_loops = { "loop", "compliance" }
 local of_joints = { head = true, cup = true }
@@ -136,9 +137,9 @@ local function need_distance(where, prefix, given, what)
     given.distance)
 end
 
--- Returns the shift [mm] at which a search starts. named: the ends { from, to } of the scar that are stored with the
--- profile, or nil. If they are given, returns their middle. Otherwise returns the middle of a scar that is detected
--- in the depths if x = 0 is outside it, else 0.
+-- Returns the start value of a profile's shift [mm]. named: the ends { from, to } of the scar stored with the
+-- profile, or nil. If they are given, the start value is their middle. Otherwise the scar is detected in the
+-- depths: the start value is its middle if the scar, with a margin, does not contain x = 0, else 0.
 local function start_of(x, h, named)
   if named then return (named.from + named.to) / 2 end
   local heights = {}
@@ -148,8 +149,8 @@ local function start_of(x, h, named)
   return from and (from - side > 0 or to + side < 0) and (from + to) / 2 or 0
 end
 
--- Returns the components of the unknown position of a profile (shift, tilt and level), with their start
--- values and typical magnitudes.
+-- Returns the three parameters of a profile's unknown position: shift, tilt and level. Each has a unit and a
+-- typical magnitude; the shift also has a start value.
 local function free_of(x, h, named)
   local deepest, width = 0, x[#x] - x[1]
   for _, value in ipairs(h) do deepest = math.max(deepest, math.abs(value)) end
@@ -164,7 +165,7 @@ local function name_of(given)
   return ("profile of the %s%s at %g mm"):format(given.body, at, given.distance)
 end
 
--- Returns a shorter name of a profile for a panel of a picture.
+-- Returns a short title for the panel of a plot, or nil for a profile without a section.
 local function brief_of(given)
   local line = given.section
   return line and ("%s, %s = %g, %g mm"):format(given.body, line.x and "x" or "z", line.x or line.z, given.distance)
@@ -226,7 +227,7 @@ local function read_series(where, prefix, given)
     unit = quantity(given.of)[3], title = given.title or given.of }
 end
 
--- Replaces the field `cycle` by the field `distance`. path() returns the sliding distance of a cycle [mm].
+-- Replaces the field `cycle` by the field `distance`. path(): returns the sliding distance of one cycle [mm].
 local function with_distance(where, prefix, given, path)
   if given.cycle == nil then return given end
   if given.distance ~= nil then
@@ -239,8 +240,8 @@ local function with_distance(where, prefix, given, path)
   return merged(given, { distance = type(given.cycle) == "number" and distance[1] or distance })
 end
 
--- Reads one measurement and returns it as an item. prefix: name of the measurement in messages.
--- motion.path(): returns the sliding distance of a cycle [mm]; motion.by_force: true if a tangential force
+-- Reads one measurement and returns it as an item of data. prefix: name of the measurement in messages.
+-- motion.path(): returns the sliding distance of one cycle [mm]; motion.by_force: true if a tangential force
 -- drives the runs.
 function data.item(where, prefix, given, motion)
   if type(given) ~= "table" then check.refuse(where, prefix, "a table", given) end
@@ -255,9 +256,8 @@ function data.item(where, prefix, given, motion)
   return (given.of and read_series or read_profile)(where, prefix, given)
 end
 
--- Returns true if all data have errors, and false if no data have errors and all have the same unit. All
--- other cases are refused: residuals can be used to estimate the errors, but not the weights of
--- quantities with different units.
+-- Returns true if all measurements have errors, and false if none has an error and all have the same unit.
+-- Raises an error in all other cases: without errors, data with different units cannot be weighted.
 local function check_errors(where, items)
   local given, unit = 0, items[1].unit
   for _, item in ipairs(items) do
@@ -273,7 +273,7 @@ local function check_errors(where, items)
   end
 end
 
--- Returns the list of items, and true if the user gave the errors of the data.
+-- Reads all measurements. Returns the list of items, and true if the user gave the errors of the data.
 function data.read(where, given, motion)
   if #given == 0 then
     local single = next(given) ~= nil and "a single one: write data = { { ... } }" or "none"
@@ -283,15 +283,15 @@ function data.read(where, given, motion)
   for i, one in ipairs(given) do items[i] = data.item(where, ("data[%d]"):format(i), one, motion) end
   local told = check_errors(where, items)
   for _, item in ipairs(told and {} or items) do
-    item.error = as_list(1e-3, #item.x) -- equal errors of any size, as only their ratios affect the fit
+    item.error = as_list(1e-3, #item.x) -- equal errors of any size: only their ratios affect the fit
   end
   return items, told
 end
 
--- --- results that a run must observe --------------------------------------------------------------
+-- --- results that a run must record ----------------------------------------------------------------
 
--- Returns the results that a run must observe (for observe.lua). Stores in `item.reading` the index of the
--- observation that belongs to each value of the item.
+-- Returns the distances, columns, surfaces and loops that a run must record (see study/observe.lua). Stores
+-- in `item.reading` the index of the distance of each value.
 function data.required(items)
   local distances, columns_used, surfaces, turns, at = {}, {}, {}, {}, {}
   for _, item in ipairs(items) do
@@ -327,7 +327,7 @@ local function depth_at(surface, x)
   return h[low] + (h[high] - h[low]) * (x - at[low]) / (at[high] - at[low])
 end
 
--- Returns the simulated depths at the points of a measured profile: the simulated surface is shifted by
+-- Returns the simulated depths at the points of a measured profile. The simulated surface is shifted by
 -- `shift` [mm] to the right, then `tilt` [mm/mm] times x and `level` [mm] are added.
 local function profile_values(item, readings, position)
   local surface, values = readings[item.reading[1]][item.surface], {}
@@ -347,8 +347,8 @@ local function series_values(item, readings)
   return values
 end
 
--- Returns true if the quantity of an item changes in steps, because the edge of the contact moves from node
--- to node.
+-- Returns true if an item is a width or a pressure. These quantities change in steps, because the edge of the
+-- contact moves from node to node.
 function data.jumps(item)
   for _, name in ipairs(item.of and quantity(item.of)[1] or {}) do
     if name:match("width") or name:match("^p_") then return true end
@@ -356,7 +356,7 @@ function data.jumps(item)
   return false
 end
 
--- Returns the simulated values of an item from the observed results of a run. position: { shift=, tilt=,
+-- Returns the simulated values of an item from the recorded results of a run. position: { shift=, tilt=,
 -- level= } of a profile or a loop.
 function data.values(item, readings, position)
   if item.kind == "loop" then return loops.values(item, readings[item.reading[1]].loop, position) end
@@ -364,7 +364,7 @@ function data.values(item, readings, position)
   return (item.kind == "profile" and profile_values or series_values)(item, readings, position)
 end
 
--- Returns the unknown positions of all items as parameters, in the form of fit/unknown.lua.
+-- Returns the unknown positions of all items as a list of parameters, in the format of fit/unknown.lua.
 function data.positions(items)
   local list = {}
   for number, item in ipairs(items) do
@@ -385,7 +385,7 @@ local function guess(ratio) -- returns the probable unit of measured lengths; ra
   return ratio < 1e4 and "um" or "nm"
 end
 
--- Returns the range of distances of a series as a text for a message, since the distances may have a wrong
+-- Returns a text for a message with the largest distance of a series, since the distances may have a wrong
 -- unit.
 local function far_of(item)
   if item.kind ~= "series" then return "" end
@@ -400,8 +400,8 @@ local function refuse_size(where, number, name, item, most, expected)
     item.unit, item.unit, seems, far_of(item)))
 end
 
--- Checks that at least 3 points of a profile lie on the surface and that the width of the profile is
--- plausible.
+-- Checks that at least 3 points of a profile lie on the fine part of the surface, and that the width of the
+-- profile is plausible.
 local function check_position(where, number, item, surface, shift)
   local low, high = surface.x[1] + shift, surface.x[#surface.x] + shift
   local inside = 0
@@ -416,7 +416,8 @@ local function check_position(where, number, item, surface, shift)
   end
 end
 
--- Compares the data with a run at the start values. Data that differ by a factor above 150 are refused.
+-- Raises an error if the largest values of a measurement and of a run at the start values differ by a factor
+-- above 150, since this suggests a wrong unit.
 function data.check_sizes(where, items, readings)
   for number, item in ipairs(items) do
     local still = { shift = item.fixed and item.fixed.shift or item.free and item.free[1].start or 0, tilt = 0, level = 0 }

@@ -1,6 +1,6 @@
--- fit.design computes, before a test, which measurements at which distances determine the unknowns best. It
--- uses the derivatives at the start values to compute the standard errors for each measurement alone, and
--- the best order of the measurements.
+-- Lua function fit.design: computes, before a test, which measurements at which distances determine the
+-- unknowns best. From the derivatives at the start values it computes the standard errors for each
+-- measurement alone, and the best order of the measurements.
 
 local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
@@ -22,8 +22,8 @@ local own = {
   title = check.text, shift = check.number, tilt = check.number, level = check.number,
 }
 
--- Returns the default positions of a profile's points [mm], evenly spaced over `width` [mm] around the
--- centre.
+-- Returns the default positions x [mm] of the points of a profile: evenly spaced over `width` [mm], with the
+-- middle at x = 0.
 local function places(given)
   local count, width = given.points or 61, given.width or 1
   local x = {}
@@ -52,7 +52,7 @@ local function check_one(number, given)
   end
 end
 
--- Returns a measurement with placeholder values. The first run then gives the expected values.
+-- Returns a measurement with placeholder values. The first run later provides the expected values.
 local function stand_in(one, distance)
   if not one.profile then
     return { of = one.of, distance = distance, value = 1, error = one.error or one.relative }
@@ -62,7 +62,7 @@ local function stand_in(one, distance)
     shift = one.shift, tilt = one.tilt, level = one.level }
 end
 
--- Reads the user's measurements, and returns one item for each measurement and each distance.
+-- Reads the user's planned measurements. Returns one item for each measurement and distance.
 local function read(given)
   local items = {}
   for number, one in ipairs(given.measure) do
@@ -79,7 +79,7 @@ local function read(given)
   return items
 end
 
--- Computes absolute errors from relative ones, with the simulated values of the first run.
+-- Computes absolute errors from relative errors and the simulated values of the first run.
 local function size_errors(problem, readings)
   local still = { shift = 0, tilt = 0, level = 0 }
   for _, item in ipairs(problem.items) do
@@ -97,9 +97,9 @@ end
 
 -- --- expected standard errors --------------------------------------------------------------------
 
--- Returns the rows of the prior, one for each unknown, with 1 / prior error. The prior error is the
--- standard deviation of a uniform distribution between the bounds, or the typical range. The prior keeps
--- the errors finite if a measurement does not determine an unknown.
+-- Returns the rows that represent the prior knowledge, one for each unknown, with the value 1 / prior error.
+-- The prior error is the standard deviation of a uniform distribution between the bounds, or the typical
+-- range of the unknown. These rows limit the errors of unknowns that a measurement does not determine.
 local function prior_rows(problem)
   local rows = {}
   for j, one in ipairs(problem.unknowns) do
@@ -109,8 +109,8 @@ local function prior_rows(problem)
   return rows
 end
 
--- Returns the columns of the derivatives for the chosen items, followed by the rows of the prior. The
--- position parameters of all other items are omitted.
+-- Returns the derivatives for the chosen items as a list of columns, each followed by the rows of the prior.
+-- The position parameters of the other items are omitted.
 local function columns_of(self, chosen)
   local columns = {}
   for j, one in ipairs(self.problem.parameters) do
@@ -126,8 +126,8 @@ local function columns_of(self, chosen)
   return columns
 end
 
--- Returns the standard errors of the unknowns, the covariance, and the sum of the logarithms of the errors
--- relative to the typical ranges, for the chosen items together.
+-- Returns three results for the chosen items together: the standard errors of the unknowns, the covariance,
+-- and the sum of log(error / typical range).
 local function expected(self, chosen)
   local columns = columns_of(self, chosen)
   local covariance, errors, sum = solve.covariance(columns), {}, 0
@@ -153,8 +153,8 @@ local function alone(self)
   return list
 end
 
--- Returns the measurements in a greedy order: each step adds the measurement that gives the smallest errors
--- together with the earlier ones.
+-- Returns the measurements in their best order. Each step adds the measurement that, together with the
+-- measurements already chosen, gives the smallest errors.
 local function best_order(self, most)
   local chosen, list = {}, {}
   for _ = 1, math.min(most, #self.problem.items) do
@@ -191,8 +191,8 @@ local class = { __name = "design", __fields = { "names", "units", "start", "prio
 local methods = {}
 class.__methods = methods
 
--- Returns the text of an error with its percentage of the start value (omitted if that is 0), or
--- "undetermined".
+-- Returns an error as text, with its percentage of the start value (omitted if the start value is 0). Returns
+-- "undetermined" if the error is close to the prior error.
 local function shown(self, name, value)
   local start, prior = self.start[name], self.prior_error[name]
   if value > 0.9 * prior then return "undetermined" end
@@ -205,7 +205,7 @@ local function row_of(self, first, one)
   return row
 end
 
--- Returns the titles of the table's columns: the arguments, then one title for each unknown.
+-- Returns the titles of the table's columns: the arguments, followed by one title for each unknown.
 local function heads(self, ...)
   local row = { ... }
   for i, name in ipairs(self.names) do
@@ -229,8 +229,8 @@ function class.__tostring(self)
   return table.concat(lines, "\n")
 end
 
--- d:table{ file= } returns the standard errors of each measurement alone as CSV text, or writes them to a
--- file.
+-- Lua method d:table{ file= }: returns the standard errors of each measurement alone as CSV text, or writes
+-- them to a file and returns its path.
 function methods:table(options)
   options = check.fields("design:table", options or {}, { file = check.file })
   local rows = { heads(self, "measurement", "distance [mm]") }
@@ -249,8 +249,10 @@ strict.class(class)
 
 -- --- making --------------------------------------------------------------------------------------
 
--- A design has no data yet, so the unknowns can be far from their start values. The slopes of values that
--- change in steps are therefore computed over a range of about one prior standard deviation on both sides.
+-- Parameters of a design for values that change in steps: half of the range over which their slopes are
+-- computed, relative to the parameter's value, and the number of intervals. The range is wide, about one
+-- prior standard deviation on both sides, because without data the unknowns can be far from their start
+-- values.
 local widest, intervals = 0.6, 16
 
 local function sensitivities(problem)

@@ -1,6 +1,6 @@
--- Friction loops as data of a fit. A loop is the tangential force as a function of the displacement in one cycle,
--- given as points in the order of time. Each half of a loop is compared with the same half of the simulated loop:
--- forces at the measured positions or, if a force drives the run, positions at the measured forces.
+-- Friction loops as measurements of a fit. A loop is the tangential force over the displacement in one cycle,
+-- given as points in the order of time. Each half of the loop is compared with the same half of the simulated
+-- loop: forces at the measured positions or, if a force drives the run, positions at the measured forces.
 
 local check = require "archard.lib.check"
 local statistics = require "archard.lib.statistics"
@@ -19,7 +19,7 @@ loop.kind = check.kind("a loop, with lists x [mm] and tangential [N] of equal le
   return type(v) == "table" and finite(v.x) and finite(v.tangential) and #v.x == #v.tangential and #v.x >= 8
 end)
 
--- Returns the indices of the smallest and of the largest value, at which the motion reverses.
+-- Returns the indices of the smallest and the largest value. The motion reverses at these two points.
 local function ends_of(along)
   local low, high = 1, 1
   for i, value in ipairs(along) do
@@ -29,7 +29,7 @@ local function ends_of(along)
   return low, high
 end
 
--- Returns a list of flags, one for each point: true if the point belongs to the half with increasing
+-- Returns a list of booleans, one for each point: true if the point belongs to the half with increasing
 -- values.
 local function rising(along)
   local low, high = ends_of(along)
@@ -41,7 +41,7 @@ end
 local function copied(list) return table.move(list, 1, #list, 1, {}) end
 
 -- Makes an item of data from a loop. from: the checked fields loop, distance, compliance, shift, level and
--- title; errors: a list or nil; by_force: true if a force drives the run.
+-- title; errors: list of standard errors, or nil; by_force: true if a force drives the run.
 function loop.item(from, errors, by_force)
   local x, force = copied(from.loop.x), copied(from.loop.tangential)
   for i, f in ipairs(force) do x[i] = x[i] - (from.compliance or 0) * f end
@@ -58,8 +58,8 @@ end
 
 -- --- simulated values ----------------------------------------------------------------------------
 
--- Returns the points of a loop from index `from` to index `to`, continued at the start of the list if its
--- end is reached, and sorted by `along`.
+-- Returns the points of a closed loop from index `from` to index `to`, sorted by `along`. The index continues
+-- at 1 after the last point.
 local function half(along, value, from, to)
   local points, n = {}, #along
   for step = 0, (to - from) % n do
@@ -70,7 +70,8 @@ local function half(along, value, from, to)
   return points
 end
 
--- Returns the value at x by linear interpolation between points. Beyond an end it is the value at this end.
+-- Returns the value at x by linear interpolation between the points. Beyond an end it returns the value at
+-- this end.
 local function at(points, x)
   local low, high = 1, #points
   if x <= points[low][1] then return points[low][2] end
@@ -83,7 +84,7 @@ local function at(points, x)
   return b[1] > a[1] and a[2] + (b[2] - a[2]) * (x - a[1]) / (b[1] - a[1]) or a[2]
 end
 
--- Returns the simulated values at the item's points. there: the loop { x=, tangential= } of the run, whose
+-- Returns the simulated values at the points of an item. there: the simulated loop { x=, tangential= }, whose
 -- last point repeats the first one and is ignored; position: { shift=, level= }.
 function loop.values(item, there, position)
   local along, value = copied(there.x), copied(there.tangential)

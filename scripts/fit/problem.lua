@@ -1,6 +1,6 @@
--- A fit as a least-squares problem. The parameters are the unknowns, then the positions of profiles and
--- loops. The module computes weighted residuals and their derivatives by differences of runs, with steps
--- chosen by the numerical noise of the runs.
+-- Defines a fit as a least-squares problem. The parameters are the unknowns, followed by the positions of
+-- profiles and loops. The module computes weighted residuals and their derivatives. Derivatives are
+-- differences of runs, with steps that depend on the numerical noise of the runs.
 
 local check = require "archard.lib.check"
 local data = require "archard.fit.data"
@@ -12,7 +12,7 @@ problem.__index = problem
 
 -- --- residuals -----------------------------------------------------------------------------------
 
--- Returns the position { shift=, tilt=, level= } of item `number` from the values of all parameters.
+-- Returns the position { shift=, tilt=, level= } of item `number`. values: the values of all parameters.
 function problem:position(number, values)
   local fixed = self.items[number].fixed or {}
   local position = { shift = fixed.shift or 0, tilt = fixed.tilt or 0, level = fixed.level or 0 }
@@ -22,7 +22,8 @@ function problem:position(number, values)
   return position
 end
 
--- Returns one list of the simulated values at all data points, divided by the errors of the data.
+-- Returns the simulated values at all data points in one list, each divided by the standard error of the
+-- measured value.
 function problem:predict(readings, values)
   local list = {}
   for number, item in ipairs(self.items) do
@@ -37,7 +38,8 @@ function problem:runs_at(values)
   return self.runs:one(table.move(values, 1, #self.unknowns, 1, {}))
 end
 
--- Returns the residuals (simulated - measured) / error, followed by the weighted roughness of the curves.
+-- Returns the residuals (simulated - measured) / error of all data, followed by the weighted roughness of the
+-- fitted curves.
 function problem:residuals(values)
   local list = self:predict(self:runs_at(values), values)
   for i, measured in ipairs(self.measured) do list[i] = list[i] - measured end
@@ -49,16 +51,16 @@ function problem:residuals(values)
   return list
 end
 
--- Returns the residuals at parameter values for which jacobian was called before. Simulated values that
--- change in steps are replaced by the values of their regression lines.
+-- Returns the residuals for the parameter values of the latest call of jacobian. Simulated values that change
+-- in steps are replaced by the values of their regression lines.
 function problem:smoothed_residuals(values)
   local list = self:residuals(values)
   for m, middle in pairs(self.rippled) do list[m] = middle - self.measured[m] end
   return list
 end
 
--- Returns the root mean square of the residuals per degree of freedom. It is about 1 if the given errors of the data
--- are correct.
+-- Returns the root of the sum of squared residuals divided by the degrees of freedom. It is about 1 if the
+-- given errors of the data are correct.
 function problem:error_scale(values)
   local residuals, sum = self:residuals(values), 0
   for i = 1, #self.measured do sum = sum + residuals[i] ^ 2 end
@@ -73,7 +75,8 @@ local function changed(values, i, by)
   return copy
 end
 
--- Returns the two steps of a difference quotient: one up and one down if central, else one step and 0.
+-- Returns the two steps of a difference quotient. They are one step up and one step down if `central` is true
+-- and the bounds allow both, else one step and 0.
 local function stencil(self, values, i, central)
   local one = self.parameters[i]
   local step = self.step[central and "central" or "forward"] * one.span
@@ -90,17 +93,17 @@ local function column_between(high, low, width)
   return column
 end
 
--- Returns the derivative of the simulated values with respect to a position parameter. No new run is needed.
+-- Returns the derivative of the simulated values with respect to a position parameter. This needs no new run.
 local function position_column(self, readings, values, i)
   local step = 1e-3 * self.parameters[i].span
   local up, down = changed(values, i, step), changed(values, i, -step)
   return column_between(self:predict(readings, up), self:predict(readings, down), 2 * step)
 end
 
--- The derivatives of values that change in steps from node to node are computed over a wide range of the
--- parameter. `widest`: half of this range relative to the parameter's value; `many`: number of intervals
--- for the standard errors; `few`: number of intervals during the search. Near a bound, the range lies on
--- one side of the value. A design has no data and uses a wider range.
+-- Some simulated values change in steps, because the contact edge moves from node to node. Their derivatives
+-- are computed over a wide range of the parameter. widest: half of this range, relative to the parameter's
+-- value; many: number of intervals for the standard errors; few: number of intervals during the search;
+-- closest: near a bound, a side shorter than this fraction of the parameter's value is omitted.
 problem.widest, problem.many = 0.24, 8
 local few, closest = 4, 0.05
 
@@ -119,10 +122,10 @@ local function spread(low, high, intervals)
   return list
 end
 
--- Computes the derivatives of values that change in small steps with an unknown (such as widths, which are
--- multiples of the node spacing). Difference quotients of such values are meaningless. The rows of column i
--- are filled with slopes of regression lines over a range. The value of each line in the middle of the
--- range, averaged over the unknowns, is added to self.rippled.
+-- Replaces the derivatives of values that change in small steps (such as widths, which are multiples of the
+-- node spacing), because their difference quotients are meaningless. Column i is filled with slopes of
+-- regression lines over a wide range of parameter i. The value of each line in the middle of the range,
+-- averaged over the unknowns, is added to self.rippled.
 local function fill_rippled(self, column, values, i, central)
   local low, high = wide_range(self.unknowns[i], values[i], self.widest)
   local points, list, rows = spread(low, high, central and self.many or few), {}, {}
@@ -139,8 +142,8 @@ local function fill_rippled(self, column, values, i, central)
   end
 end
 
--- Returns the derivatives of the simulated values (see predict), one column for each parameter. central:
--- true for central differences where the bounds allow them.
+-- Returns the derivatives of the simulated values (divided by the errors), one column for each parameter.
+-- central: true for central differences where the bounds allow them.
 function problem:jacobian(values, central)
   local m, list, stencils = #self.unknowns, {}, {}
   local own = table.move(values, 1, m, 1, {})
@@ -163,7 +166,7 @@ function problem:jacobian(values, central)
   return columns
 end
 
--- Appends the rows of roughness to the columns of derivatives, and returns them.
+-- Appends the derivatives of the roughness to each column of derivatives. Returns the columns.
 function problem:with_roughness(columns)
   for i, column in ipairs(columns) do
     for r, row in ipairs(self.rough) do
@@ -177,10 +180,10 @@ end
 
 local samples, spacing = 5, 1e-3
 
--- Estimates the numerical noise of the runs and chooses the steps of the differences. Runs with automatic
--- steps change slightly and irregularly with the values; this noise is estimated from fourth differences of
--- runs with close values (the method of Hamming, as used by More and Wild). The chosen step minimizes the
--- sum of the errors from noise and from curvature.
+-- Estimates the numerical noise of the runs and chooses the steps of the differences. The results of runs
+-- with automatic steps scatter slightly with the values of the unknowns. This noise is estimated from fourth
+-- differences of runs with close values (Hamming's method, as used by More and Wild). The chosen step
+-- minimizes the sum of the errors caused by noise and by curvature.
 function problem:measure_noise(values)
   local list = {}
   for s = 1, samples do
@@ -207,11 +210,11 @@ end
 
 -- --- values that change in steps ------------------------------------------------------------------
 
--- Limits for values that change in steps: smallest jump between neighbours, relative to the slope; smallest
--- scatter that is added to the error, relative to the error.
+-- Limits for values that change in steps. jumps_above: smallest jump between neighbours, relative to the
+-- slope; counts: smallest scatter that is added to the error, relative to the error.
 local jumps_above, counts = 0.03, 0.2
 
--- Computes runs over a wide range, with all unknowns changed at once. Returns the positions in the range
+-- Computes runs over a wide range, in which all unknowns change together. Returns the positions in the range
 -- (-0.5 to 0.5) and the simulated values.
 local function wide_rows(self, values)
   local points, list, rows = spread(-0.5, 0.5, 2 * self.many), {}, {}
@@ -233,8 +236,8 @@ local function has_jumping(items)
   return false
 end
 
--- Marks the values that change in steps. If the user gave errors, the scatter of these values is added to
--- the errors.
+-- Marks the simulated values that change in steps. If the user gave errors, the scatter of these values is
+-- added to the errors.
 function problem:measure_ripple(values, told)
   if not has_jumping(self.items) then return end
   local points, rows = wide_rows(self, values)
@@ -271,8 +274,8 @@ function problem:refuse_idle(columns)
   end
 end
 
--- Makes the problem of a fit. unknowns: from fit/unknown.lua; items: from fit/data.lua; runs: from
--- fit/runs.lua.
+-- Makes the problem of a fit. unknowns: parameters from fit/unknown.lua; items: measurements from
+-- fit/data.lua; runs: collection of runs from fit/runs.lua.
 function problem.new(where, unknowns, items, runs)
   local self = setmetatable({ where = where, unknowns = unknowns, items = items, runs = runs,
     -- rippled: values in the middle of regression lines, by index of the residual
@@ -284,7 +287,7 @@ function problem.new(where, unknowns, items, runs)
   return self
 end
 
--- Computes the list of measured values, divided by their errors.
+-- Divides the measured values by their errors and stores the list in self.measured.
 function problem:weigh()
   self.measured = {}
   for _, item in ipairs(self.items) do
@@ -292,7 +295,7 @@ function problem:weigh()
   end
 end
 
--- Sets the weight of the roughness of curves.
+-- Sets the weight of the roughness of the fitted curves.
 function problem:smooth_by(weight)
   self.smooth = weight
   self.rough = weight > 0 and unknown.roughness(self.unknowns) or {}

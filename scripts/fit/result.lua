@@ -1,4 +1,5 @@
--- Result of a fit: values, standard errors, bands, residuals, notes on undetermined unknowns, and the final run.
+-- Defines the result of a fit: values, standard errors, confidence bands, residuals, notes on undetermined
+-- unknowns, and the final run.
 
 local data = require "archard.fit.data"
 local statistics = require "archard.lib.statistics"
@@ -9,8 +10,7 @@ local result = {}
 
 -- --- numbers -------------------------------------------------------------------------------------
 
--- Returns a table of the values of the unknowns by name. The value of a curve is the list of its knot
--- values.
+-- Returns the values of the unknowns in a table by name. The value of a curve is the list of its knot values.
 local function by_path(problem, list)
   local named = {}
   for i, one in ipairs(problem.unknowns) do
@@ -28,8 +28,8 @@ local function clipped(one, value)
   return math.max(one.low or -math.huge, math.min(one.high or math.huge, value))
 end
 
--- Returns a table that is true for each parameter without a standard error: it is at a bound, or the data
--- do not determine it.
+-- Returns a table with true at the index of each parameter that has no standard error, because it is at a
+-- bound or the data do not determine it.
 local function undetermined(found, problem)
   local blind = {}
   for _, direction in ipairs(found.unseen) do
@@ -59,7 +59,8 @@ local function correlations(found)
   return list
 end
 
--- Returns the standard error of a function of the parameters with the given derivatives.
+-- Returns the standard error of a function of the parameters. derivative: derivatives of the function with
+-- respect to the parameters.
 local function along(covariance, derivative)
   local sum = 0
   for a, row in ipairs(covariance) do
@@ -72,8 +73,8 @@ end
 
 -- --- bands ---------------------------------------------------------------------------------------
 
--- Returns a table for each set of data with the lists x (or distance), value, error, model (the simulated
--- values), low, high and residual, (value - model) / error.
+-- Returns one table for each measurement, with the lists x (or distance), value, error, model (simulated
+-- values), low, high and residual = (value - model) / error.
 local function described(self, problem, found, scale, deviation)
   local readings, row, list = problem:runs_at(found.values), 0, {}
   for number, item in ipairs(problem.items) do
@@ -186,8 +187,8 @@ local function note_vague(notes, problem, found, deviation)
   end
 end
 
--- Adds a note on the scatter of values that change in steps from node to node. The scatter limits the
--- accuracy on this mesh.
+-- Adds a note on values that change in steps from node to node. Their scatter limits the accuracy on the
+-- given mesh.
 local function note_rippled(notes, problem)
   for _, item in ipairs(problem.items) do
     if item.rippled then
@@ -258,8 +259,7 @@ local function data_line(item)
   return line
 end
 
--- Adds the correlations to the lines, three pairs on each line. If there are more than ten pairs, none is
--- added.
+-- Adds the correlations to the lines, three pairs on each line. With more than ten pairs none is added.
 local function add_correlations(lines, self)
   local words = {}
   for a = 1, #self.names do
@@ -273,7 +273,7 @@ local function add_correlations(lines, self)
   end
 end
 
--- Wraps a note to lines of at most about 100 characters.
+-- Breaks a note into lines of about 100 characters at most.
 local function wrapped(text)
   local lines, line = {}, "  note:"
   for word in text:gmatch("%S+") do
@@ -312,8 +312,8 @@ end
 
 local function head(list, count) return table.move(list, 1, count, 1, {}) end
 
--- Makes the result of a fit. problem: from fit/problem.lua; found: from fit/solve.lua; told: true if the
--- user gave the errors of the data; confidence: level in (0, 1).
+-- Makes the result of a fit. problem: from fit/problem.lua; found: from fit/solve.lua; told: true if the user
+-- gave the errors of the data; confidence: confidence level between 0 and 1.
 function result.new(problem, found, told, confidence)
   local m, count = #problem.unknowns, #problem.measured
   local self = { told = told, confidence = confidence, count = count, iterations = found.iterations,

@@ -1,4 +1,4 @@
--- fit{} and fit.design{}: checks the user's fields and makes the problem that fit/solve.lua solves.
+-- Lua functions fit and fit.design: check the user's fields and make the problem that fit/solve.lua solves.
 
 local check = require "archard.lib.check"
 local check_names = require "archard.study.names"
@@ -21,7 +21,7 @@ local common = { model = model_kind, base = check.table, unknown = check.table, 
   workers = check.whole(1, 256), progress = check.progress, confidence = check.share }
 local fields = merged(common, { data = check.table })
 
--- Raises an error if a field of base is also an unknown.
+-- Raises an error if a field occurs both in `base` and in `unknown`.
 local function refuse_double(name, base, unknowns)
   for field in pairs(unknowns) do
     if base[field] ~= nil then
@@ -30,7 +30,7 @@ local function refuse_double(name, base, unknowns)
   end
 end
 
--- Returns the fields of wear{} for all runs. The sliding distance is extended to the last measurement.
+-- Returns the fields of wear{} that all runs share. The sliding distance is extended to the last measurement.
 local function base_of(name, given, what)
   local base = merged(check.definition(name, given.base or {}, check.anything, nil, "base"), { model = given.model })
   local flat = {}
@@ -56,8 +56,8 @@ local function is_by_force(base)
   return loading.tangential ~= nil or type(loading[1]) == "table" and loading[1].tangential ~= nil
 end
 
--- Returns the description of the motion for data.read: path() returns the sliding distance of a cycle [mm],
--- and by_force is true if a force drives the runs.
+-- Returns a table that describes the motion for data.read: path() returns the sliding distance of a cycle
+-- [mm], and by_force is true if a force drives the runs.
 local function motion_of(name, given, unknowns)
   local base = merged(given.base, { model = given.model })
   local function path()
@@ -68,13 +68,14 @@ local function motion_of(name, given, unknowns)
   return { path = path, by_force = is_by_force(base) }
 end
 
--- Returns the user's model: the field `model` or base.model, or nil if neither is given.
+-- Returns the user's model: field `model`, else base.model, else nil.
 local function model_of(given)
   if given.model ~= nil then return given.model end
   return type(given.base) == "table" and given.base.model or nil
 end
 
--- Makes the problem of a fit or a design. each: estimated number of runs for each unknown.
+-- Makes the problem of a fit or a design. each: estimated number of runs for each unknown, for the progress
+-- display.
 local function prepare(name, given, items, each)
   local unknowns = unknown.read(name, given.unknown, model_of(given))
   local what = data.required(items)
@@ -84,15 +85,15 @@ local function prepare(name, given, items, each)
   return problems.new(name, unknowns, items, all)
 end
 
--- Raises an error if there are more unknowns than data. If the user gave no errors, one more value is
--- needed to estimate them.
+-- Raises an error if there are more unknowns than data values. If the user gave no errors, estimating them
+-- needs one more value.
 local function refuse_few(problem, told)
   local count, needed = #problem.measured, #problem.parameters
   if count > needed or told and count == needed then return end
   check.fail(where, ("too few data: %d value%s for %d unknown%s (%d fields, %d positions of profiles and loops); "
     .. "add data, remove unknowns, or fix shift, tilt and level%s"):format(count, count == 1 and "" or "s",
     needed, needed == 1 and "" or "s", #problem.unknowns, #problem.positions,
-    count == needed and "; with the field 'error' of the data their number suffices" or ""))
+    count == needed and "; if the data have the field 'error', this number suffices" or ""))
 end
 
 local function need(name, given, list)
@@ -101,8 +102,7 @@ local function need(name, given, list)
   end
 end
 
--- Runs fit{ model=, base=, unknown=, data=, file=, workers=, progress=, confidence= } and returns its
--- result.
+-- Runs fit{ model=, base=, unknown=, data=, file=, workers=, progress=, confidence= } and returns the result.
 local function run(given)
   given = check.definition(where, given, fields)
   need(where, given, { "unknown", "data" })

@@ -1,6 +1,6 @@
--- The runs of a fit, one for each set of values of the unknowns. They are computed in this process or, if a
--- run file is given, by the workers of a study. Runs in the file are never computed again, not even in a
--- later call.
+-- Manages the runs of a fit, one for each set of values of the unknowns. This process computes them or, if a
+-- run file is given, the workers of a study. A run that the file contains is never computed again, not even
+-- in a later call.
 
 local check = require "archard.lib.check"
 local observe = require "archard.study.observe"
@@ -11,7 +11,7 @@ local unknown = require "archard.fit.unknown"
 local runs = {}
 runs.__index = runs
 
--- Returns the label of a case: the names and values of its unknowns, with all digits.
+-- Returns the label of a run: the names and values of the unknowns, with all digits.
 local function label_of(self, values)
   local words = {}
   for i, one in ipairs(self.unknowns) do words[i] = ("%s %.17g"):format(one.name, values[i]) end
@@ -26,7 +26,7 @@ local function deep(where, given, prefix)
   return copy
 end
 
--- Returns the fields of wear{} for a set of values of the unknowns.
+-- Returns the fields of wear{} of a run. values: values of the unknowns.
 function runs:given(values)
   local given = deep(self.where, self.base, "base.")
   for name, value in pairs(unknown.settings(self.unknowns, values)) do
@@ -45,7 +45,7 @@ local function fail_at(self, label, why)
     .. "away from these values"):format(label, why.message), why.code)
 end
 
--- Computes one run. Its warnings are shown only if it is the first run.
+-- Computes one run and stores its results. Only the first run of a fit prints its warnings.
 local function compute_here(self, label, values)
   if self.count > 0 then warn "@off" end
   local fine, readings, run = pcall(observe.run, self:given(values), self.what)
@@ -58,7 +58,7 @@ local function compute_here(self, label, values)
   if type(self.progress) == "function" then self.progress(self.count, label) end
 end
 
--- --- runs by workers, with a run file ------------------------------------------------------------
+-- --- runs by workers, stored in a run file -------------------------------------------------------
 
 local function same_fit(self, store)
   local base = observe.text(self.what) .. "\n" .. self.fingerprint
@@ -75,7 +75,8 @@ local function same_fit(self, store)
   end
 end
 
--- Returns the base settings as text. The text shows whether an existing run file belongs to the same fit.
+-- Returns the settings common to all runs as text. A later call compares this text with the text in the run
+-- file to check that the file belongs to the same fit.
 local function fingerprint(where, base)
   local lines = {}
   for name, value in pairs(settings.carrier(where)(settings.flatten(where, base))) do
@@ -138,8 +139,8 @@ end
 
 -- --- both ----------------------------------------------------------------------------------------
 
--- Returns for each set of values in `list` the computed results that correspond to the measurements, in the
--- same order.
+-- Returns the results of one run for each set of values in `list`, in the order of `list`. Runs that are not
+-- yet known are computed.
 function runs:many(list)
   local wanted, seen, result = {}, {}, {}
   for _, values in ipairs(list) do
@@ -159,7 +160,7 @@ end
 
 function runs:one(values) return self:many{ values }[1] end
 
--- Returns the run for a set of values as a wear object at the last distance.
+-- Returns the run for a set of values as a wear object, advanced to the last distance.
 function runs:wear(values)
   local _, run = observe.run(self:given(values), self.what)
   return run
@@ -175,8 +176,7 @@ local function open_model(where, base, unknowns)
   end
 end
 
--- Makes the collection of runs of a fit; it is empty at first. options: file, workers, progress, and
--- counter (a run_counter).
+-- Makes an empty collection of runs. options: file, workers, progress, and counter (a run_counter).
 function runs.new(where, base, unknowns, what, options)
   local self = setmetatable({ where = where, base = deep(where, base, "base."), unknowns = unknowns, what = what,
     file = options.file, progress = options.progress, counter = options.counter, known = {}, cases = {}, last = 0, count = 0,

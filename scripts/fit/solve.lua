@@ -1,5 +1,5 @@
--- Searches for the best parameters of a problem. Computes standard errors, correlations and undetermined
--- directions, and chooses the weight of smoothness by cross-validation.
+-- Searches for the best parameters of a fit. Computes standard errors, correlations and undetermined
+-- combinations of parameters, and chooses the weight of smoothness by cross-validation.
 
 local check = require "archard.lib.check"
 local least_squares = require "archard.least_squares"
@@ -7,8 +7,8 @@ local unknown = require "archard.fit.unknown"
 
 local solve = {}
 
--- Largest number of iterations, and tolerance of the step relative to the typical range of the
--- parameter.
+-- most: largest number of iterations; small: the search ends at steps below this fraction of a parameter's
+-- typical range.
 local most, small = 60, 1e-4
 
 -- --- decomposition and covariance ----------------------------------------------------------------
@@ -27,8 +27,8 @@ local function norm(list)
   return math.sqrt(sum)
 end
 
--- Scales the columns to length 1 and returns their singular value decomposition: u, s and v as flat lists
--- by row, and the scale factors.
+-- Scales the columns to length 1 and returns their singular value decomposition: u, s and v as flat lists,
+-- row by row, and the scale factors.
 local function decompose(columns)
   local scales, lengths = {}, {}
   for j, column in ipairs(columns) do
@@ -40,12 +40,12 @@ local function decompose(columns)
   return { u = u, s = s, v = v, scales = scales, rows = #columns[1], size = #columns }
 end
 
--- Singular values below this fraction of the largest one are treated as 0, since derivatives by finite
--- differences are not more accurate.
+-- Singular values below this fraction of the largest one are treated as 0, because derivatives by finite
+-- differences are less accurate.
 local blind = 1e-5
 
--- Returns the covariance of the parameters for unit errors, and the list of directions that the data do not
--- determine. Each direction is a list of the indices of its parameters.
+-- Returns the covariance of the parameters for unit errors of the data, and a list of the combinations of
+-- parameters that the data do not determine. Each combination is a list of parameter indices.
 function solve.covariance(columns)
   local d = decompose(columns)
   local p, covariance, unseen = d.size, {}, {}
@@ -80,15 +80,15 @@ local function values_of(parameters, u)
   return values, slopes
 end
 
--- Returns the residuals that replace the residuals of a failed run. They are larger than the residuals
--- `list` at the start, which makes the search shorten its step.
+-- Returns the residuals that represent a failed run. They are much larger than the residuals `list` at the
+-- start, so that the search shortens its step.
 local function residuals_of_failure(list)
   local far = {}
   for i = 1, #list do far[i] = 1e3 * (1 + norm(list)) end
   return far
 end
 
--- Stores the best values found until now in fit.best, where they are available after an interruption.
+-- Stores the best values up to now in fit.best, where they remain available if the fit is interrupted.
 local function keep_best(problem, values, residuals)
   local chi2 = norm(residuals) ^ 2
   if chi2 >= (problem.least or math.huge) then return end
@@ -99,8 +99,8 @@ local function keep_best(problem, values, residuals)
   problem.runs.counter:better(solve.shown(problem, values), "fit.best")
 end
 
--- Searches for the best parameters, beginning at the `start` of each parameter. Returns their values and the number
--- of iterations. Without `central`, one-sided derivatives are used, which need half as many runs.
+-- Searches for the best parameters from the `start` of each parameter. Returns their values and the number of
+-- iterations. central: true for central derivatives; one-sided derivatives need half as many runs.
 local function search(problem, central)
   local parameters, first, far = problem.parameters, {}, nil
   for i = 1, #parameters do first[i] = 1 end
@@ -127,9 +127,9 @@ local function search(problem, central)
   return values_of(parameters, u), iterations
 end
 
--- Computes the next step of the search. Returns the largest component of the step divided by its standard
--- error, the name of its parameter, and the step. Parameters at a bound are excluded from the largest
--- component.
+-- Computes the next step of the search. Returns the largest component of the step relative to its standard
+-- error, the name of its parameter, and the step. The largest component is chosen among the parameters that
+-- are not at a bound.
 local function unfinished(problem, values, columns, covariance)
   local residuals, gradient, worst, name, steps = problem:smoothed_residuals(values), {}, 0, nil, {}
   for j, column in ipairs(columns) do
@@ -146,8 +146,8 @@ local function unfinished(problem, values, columns, covariance)
   return worst, name, steps
 end
 
--- Marks the parameters that are at a bound. They are excluded from the standard errors of the other
--- parameters.
+-- Marks the parameters that are at a bound. The standard errors of the other parameters assume that these are
+-- fixed.
 local function mark_bounds(problem, values)
   for i, one in ipairs(problem.parameters) do one.bound = unknown.at_bound(one, values[i]) end
 end
@@ -171,12 +171,12 @@ local function finish(problem, values, iterations)
     iterations = iterations, off = worst, off_name = name, step = step }
 end
 
--- Limits of the next step divided by its standard error. Above `enough`, the search is repeated with
--- central derivatives. Above `tolerable`, which allows for numerical noise, the fit has not converged.
+-- Limits of the next step, relative to its standard error. Above `enough` the search is repeated with central
+-- derivatives. Above `tolerable`, which allows for numerical noise, the fit has not converged.
 local enough, tolerable = 0.1, 0.3
 
--- Largest number of extra steps after the search. Values that change in steps stop the search too early;
--- the extra steps use the regression lines through these values.
+-- Largest number of extra steps after the search. The search stops too early if simulated values change in
+-- steps; the extra steps use regression lines through these values.
 local polishing = 8
 
 local function polish(problem, found, beyond)
@@ -206,8 +206,9 @@ local function refuse_unsettled(problem, found)
     found.off_name, found.off, solve.shown(problem, found.values)), "NOT_CONVERGED")
 end
 
--- Searches for the best parameters, and repeats the search with central derivatives if it stopped too
--- early. If the residuals exceed the given errors, the limits of convergence are scaled by their ratio.
+-- Searches for the best parameters, and repeats the search with central derivatives if it stopped too early.
+-- If the residuals exceed the given errors, the convergence limits are multiplied by the ratio of residuals
+-- and errors.
 local function settle(problem)
   local function beyond(found, limit)
     return found.off > limit and found.off > limit * problem:error_scale(found.values)
@@ -231,8 +232,9 @@ end
 
 -- --- smoothness by cross-validation ---------------------------------------------------------------
 
--- Returns the mean square error of predicting each value from all other values, to first order: the mean
--- square of residual / (1 - leverage). columns: derivatives without the rows of roughness.
+-- Returns the mean square error of predicting each value from all other values (cross-validation). To first
+-- order it is the mean square of residual / (1 - leverage). columns: derivatives without the rows of the
+-- roughness.
 local function left_out(problem, columns, residuals, values, weight)
   local before = problem.smooth
   problem:smooth_by(weight)
@@ -263,7 +265,7 @@ local function left_out(problem, columns, residuals, values, weight)
   return sum / n
 end
 
--- Returns the weight of roughness that gives the smallest prediction error, among weights from 0.01 to 1e7.
+-- Returns the roughness weight, from 0.01 to 1e7, with the smallest prediction error.
 local function choose_weight(problem, found)
   problem:smooth_by(0)
   local residuals, columns = problem:residuals(found.values), problem:jacobian(found.values, true)
@@ -276,10 +278,10 @@ local function choose_weight(problem, found)
   return best
 end
 
--- --- the whole fit -------------------------------------------------------------------------------
+-- --- complete fit ---------------------------------------------------------------------------------
 
--- Computes the best parameters of a problem. weight: weight of the roughness, or "auto"; told: true if the
--- user gave the errors of the data.
+-- Computes the best parameters of a problem. weight: weight of the roughness, or "auto" for cross-validation;
+-- told: true if the user gave the errors of the data.
 function solve.fit(problem, weight, told)
   local start = {}
   for i, one in ipairs(problem.parameters) do start[i] = one.start end

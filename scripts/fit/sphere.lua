@@ -1,5 +1,5 @@
--- Depth maps of the head or the cup of a joint as data of a fit. Depths are given in directions theta, phi
--- of the body's own frame.
+-- Depth maps of the head or the cup of a joint as measurements of a fit. The directions of the depths are
+-- given by the angles theta and phi in the body's own frame.
 
 local check = require "archard.lib.check"
 local flat = require "archard.joint.flat"
@@ -18,7 +18,7 @@ local function direction(theta, phi)
 end
 
 -- Makes an item of data from a map of a joint. from: the checked fields map, body, distance and title;
--- errors: a list or nil.
+-- errors: list of standard errors, or nil.
 function sphere.item(from, errors)
   local map, at, x = from.map, {}, {}
   for _, theta in ipairs(map.theta) do
@@ -32,7 +32,7 @@ function sphere.item(from, errors)
     title = from.title or ("map of the %s at %g mm"):format(from.body, from.distance) }
 end
 
--- Returns the simulated depths at the points of an item. surface.h: values of the map of a run.
+-- Returns the simulated depths at the points of an item. surface.h: depths of the map of a run.
 function sphere.values(item, surface)
   local rows, list = math.tointeger(math.sqrt(#surface.h / 2)), {}
   for i, n in ipairs(item.at) do list[i] = flat.sampled(rows, surface.h, n) end

@@ -1,20 +1,20 @@
--- Interpolates knots by a monotone cubic curve (Fritsch and Butland). The curve is returned as a table for
--- wear{}, with closely spaced points that wear{} connects linearly.
+-- Interpolates values at knots by a monotone cubic curve (Fritsch and Butland). The curve is returned as a
+-- table for wear{}, with closely spaced points between which wear{} interpolates linearly.
 
 local spline = {}
 
 local pieces = 8 -- number of points per knot interval
 
--- Returns the slope at an inner knot: the weighted harmonic mean of the slopes on both sides, or 0 at an
--- extremum.
+-- Returns the slope of the curve at an inner knot: the weighted harmonic mean of the chord slopes a and b on
+-- both sides, or 0 at an extremum.
 local function inner(a, b, length_a, length_b)
   if a * b <= 0 then return 0 end
   local wa, wb = length_a + 2 * length_b, 2 * length_a + length_b
   return (wa + wb) / (wa / a + wb / b)
 end
 
--- Returns the slope at an end knot: the slope of the parabola through three knots, limited such that the
--- curve is monotone.
+-- Returns the slope of the curve at an end knot: the slope of the parabola through three knots, limited such
+-- that the curve stays monotone.
 local function outer(first, second, length, next_length)
   local slope = ((2 * length + next_length) * first - length * second) / (length + next_length)
   if slope * first <= 0 then return 0 end
@@ -35,15 +35,15 @@ local function slopes(knots, value)
   return list
 end
 
--- Returns the value of the cubic Hermite polynomial at the relative position t (0 to 1) in an interval.
+-- Returns the value of a cubic Hermite polynomial at the relative position t (0 to 1) in an interval.
 local function at(t, length, from, to, slope, next_slope)
   local s = 1 - t
   return from * s * s * (1 + 2 * t) + to * t * t * (1 + 2 * s)
     + length * t * s * (slope * s - next_slope * t)
 end
 
--- Returns the curve through the knots as { distance=, value= }. knots: distances [mm]; value: values at the
--- knots.
+-- Returns the curve through the knots as { distance=, value= }. knots: distances of the knots [mm]; value:
+-- values at the knots.
 function spline.series(knots, value)
   local slope, series = slopes(knots, value), { distance = { knots[1] }, value = { value[1] } }
   for i = 1, #knots - 1 do

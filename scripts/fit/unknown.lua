@@ -1,5 +1,5 @@
--- The unknowns of a fit: numbers of wear{}, model{} and bodies, or k and alpha as curves over the distance.
--- Each number is a parameter of the fit. A change of variables keeps parameters within their bounds.
+-- Reads the unknowns of a fit: numbers in wear{}, model{} or bodies, or k and alpha as curves over the
+-- distance. Each number is a parameter of the fit. A change of variables limits parameters to their bounds.
 
 local check = require "archard.lib.check"
 local check_names = require "archard.study.names"
@@ -25,7 +25,7 @@ local fields = { start = start_kind, low = check.number, high = check.number, kn
   smooth = check.one_of({ "auto" }, not_below_0) }
 unknown.fields = fields
 
--- Returns the typical range of a parameter. It is used as the unit of steps and as the prior error.
+-- Returns the typical range of a parameter, which is the unit of its steps and its prior error.
 local function span_of(one)
   if one.low and one.high then return one.high - one.low end
   if one.low then return one.start - one.low end
@@ -33,7 +33,7 @@ local function span_of(one)
   return one.start ~= 0 and math.abs(one.start) or 1
 end
 
--- Checks that low < high and that both bounds are within the range of the setting.
+-- Checks that low < high and that both bounds lie in the permitted range of the setting.
 local function check_bounds(where, field, setting, given)
   for _, name in ipairs{ "low", "high" } do
     local value = given[name]
@@ -48,8 +48,8 @@ local function check_bounds(where, field, setting, given)
   end
 end
 
--- Makes a parameter of an unknown. name: the user's name; given.paths: paths of the setting in wear{};
--- distance: distance of the knot [mm], or nil.
+-- Makes one parameter of an unknown. name: name given by the user; given.paths: paths of the settings in
+-- wear{}; distance: distance of the knot [mm], or nil.
 local function parameter(where, field, name, setting, given, start, distance)
   local one = { path = name, paths = given.paths, unit = setting.unit or "", start = start, distance = distance,
     name = distance and ("%s at %g mm"):format(name, distance) or name,
@@ -98,8 +98,8 @@ local function add(self, where, name, given, paths)
   end
 end
 
--- Returns the paths of the settings for each name. A path that belongs to two names is refused. The model
--- is read only if a name is not a field of wear{}.
+-- Returns the paths of the settings of each name, in a table by name. Raises an error if a path belongs to
+-- two names. The model is read only if a name is not a field of wear{}.
 local function paths_of(where, names, model)
   local by_name, flat, there, beneath = {}, {}, {}, nil
   for _, name in ipairs(names) do
@@ -116,8 +116,8 @@ local function paths_of(where, names, model)
   return by_name
 end
 
--- Checks and reads the user's unknowns. model: the user's model, or nil. Returns the list of parameters {
--- name=, path=, paths=, unit=, start=, low=, high=, span= }; its field `curves` contains the curves.
+-- Checks and reads the user's unknowns. model: the user's model, or nil. Returns a list of parameters {
+-- name=, path=, paths=, unit=, start=, low=, high=, span= }; its field `curves` is the list of curves.
 function unknown.read(where, given, model)
   local names, self = {}, { curves = {} }
   for name in pairs(given) do
@@ -137,10 +137,10 @@ local function slice(values, curve)
   return table.move(values, curve.first, curve.first + #curve.knots - 1, 1, {})
 end
 
--- Returns a curve { distance=, value= } from the values of all parameters.
+-- Returns a curve as { distance=, value= }. values: the values of all parameters.
 function unknown.series(curve, values) return spline.series(curve.knots, slice(values, curve)) end
 
--- Returns the settings by path from the values of all parameters.
+-- Returns the settings in a table by path. values: the values of all parameters.
 function unknown.settings(self, values)
   local flat = {}
   for i, one in ipairs(self) do
@@ -155,14 +155,15 @@ function unknown.settings(self, values)
 end
 
 -- --- bounds by a change of variables -------------------------------------------------------------
--- The search changes one variable for each parameter. The variable is 1 at the start value and changes by
--- about 1 over the typical range of the parameter.
+-- The search changes one variable for each parameter. The variable is 1 at the start value of the parameter,
+-- and a change by 1 changes the parameter by about its typical range.
 
-local function phase(one) -- start value as an angle between the bounds
+local function phase(one) -- start value of a parameter as an angle between its bounds
   return math.asin(2 * (one.start - one.low) / (one.high - one.low) - 1)
 end
 
--- Returns the value of a parameter at the search variable u, and its derivative with respect to u.
+-- Returns the value of a parameter at the search variable u, and the derivative of the value with respect to
+-- u.
 function unknown.value(one, u)
   if one.low and one.high then
     local half, angle = (one.high - one.low) / 2, u - 1 + phase(one)
@@ -177,14 +178,14 @@ function unknown.value(one, u)
   return one.start + one.span * (u - 1), one.span
 end
 
--- Returns the value after a step. The step is limited to 0.9 of the distance to a bound.
+-- Returns the value of a parameter after a step. The step is limited to 0.9 of the distance to a bound.
 function unknown.inside(one, value, step)
   if one.low then step = math.max(step, 0.9 * (one.low - value)) end
   if one.high then step = math.min(step, 0.9 * (one.high - value)) end
   return value + step
 end
 
--- Returns "low" or "high" if a value is at that bound, else nil.
+-- Returns "low" or "high" if a parameter is at its lower or upper bound, else nil.
 function unknown.at_bound(one, value)
   if one.low and value - one.low < 1e-4 * one.span then return "low" end
   if one.high and one.high - value < 1e-4 * one.span then return "high" end
@@ -192,9 +193,9 @@ end
 
 -- --- roughness of curves -------------------------------------------------------------------------
 
--- Returns a matrix that gives the roughness of the curves when multiplied by the parameters. It has one row for
--- each inner knot: the second difference of the values there, divided by their typical range. Distances of knots
--- are divided by their mean.
+-- Returns a matrix whose product with the parameters is the roughness of the curves. The matrix has one row
+-- for each inner knot, which computes the second difference of the values divided by their typical range.
+-- Knot distances are divided by their mean.
 function unknown.roughness(self)
   local rows = {}
   for _, curve in ipairs(self.curves) do
@@ -211,7 +212,7 @@ function unknown.roughness(self)
   return rows
 end
 
--- Returns the largest weight of roughness of all curves, or "auto" if a curve has smooth = "auto".
+-- Returns the largest roughness weight of all curves, or "auto" if a curve has smooth = "auto".
 function unknown.smooth(self)
   local most = 0
   for _, curve in ipairs(self.curves) do

@@ -30,8 +30,8 @@ local function pressure_panel(w)
     title = "contact pressure" }
 end
 
--- Widens the range limits[name] to include `low` and `high`. A range never shrinks, so the scale of the
--- picture stays the same from frame to frame.
+-- Widens the range limits[name] to include `low` and `high`. Ranges never become narrower during an
+-- animation.
 local function hold(panel, limits, name, low, high)
   limits[name] = limits[name] or { low, high }
   local range = limits[name]
@@ -65,7 +65,7 @@ local function frame_of(w, what, limits)
   return panels, curves.summary(w)
 end
 
--- Returns the options of plot{} for one frame. The axis ranges cover all frames so far.
+-- Returns the options of plot{} for one frame. The axis ranges include all frames up to now.
 local function options_of(panels, title, limits)
   for _, panel in ipairs(panels) do
     local reach = limits.reach
@@ -170,7 +170,7 @@ return function(w, given)
     elseif given.file then
       kept[#kept + 1] = { panels, title }
     else
-      kept[1] = { panels, title } -- not a terminal: only the last frame is drawn
+      kept[1] = { panels, title } -- if the output is not a terminal, only the last frame is drawn
     end
   end)
   if given.file then

@@ -1,9 +1,9 @@
--- Converts a figure of plot/draw.lua to CSV text: one line of column names, then the columns with x and y of
--- each curve.
+-- Converts a figure of plot/draw.lua to CSV text. The first line contains the column names; each curve has a
+-- column of x and a column of y.
 
 local csv_text = require "archard.lib.csv_text"
 
--- Appends the columns of a panel to `columns`, each as { name=, values= }.
+-- Appends the columns of a panel to the list `columns`, each as { name=, values= }.
 local function panel_columns(panel, prefix, columns)
   local function add(name, values)
     columns[#columns + 1] = { name = prefix .. name, values = values }
@@ -30,7 +30,7 @@ local function columns_of(figure)
   return columns
 end
 
--- Returns the CSV text of a figure. Cells below the end of a shorter column are empty.
+-- Returns a figure as CSV text. Cells below the end of a shorter column are empty.
 return function(figure)
   local columns, rows = columns_of(figure), { {} }
   for c, column in ipairs(columns) do

@@ -21,8 +21,8 @@ local get, title_of = naming.get, naming.title_of
 
 local body_kind = check.text
 
--- Sorts the arguments (object, ..., word, ..., { options }) into objects, words and options. Objects have the
--- method or field named by `mark`. The options may contain the fields of plot{} and of `own`.
+-- Sorts the arguments (object, ..., word, ..., { options }) into objects, words and options. An object is an
+-- argument with the method or field `mark`. The options may contain the fields of plot{} and of `own`.
 local function split(where, mark, own, ...)
   local objects, words, options = {}, {}, {}
   for i = 1, select("#", ...) do
@@ -49,8 +49,8 @@ end
 
 local scaled = shapes.scaled
 
--- Returns the half range of x that contains all nonzero values and the zeros next to them, with a margin. The
--- result is at least `reach`.
+-- Returns half the width of a range around x = 0 that contains all nonzero values and the zeros next to them,
+-- with a margin. The result is at least `reach`.
 local function reach_of(x, values, reach)
   for i = 1, #x do
     local at = math.abs(x[i])
@@ -63,12 +63,12 @@ local function reach_of(x, values, reach)
   return reach
 end
 
--- Returns the range of x, from -reach to reach. Returns nil if `reach` is 0 because all values are zero; the
--- axis then shows all points.
+-- Returns the range of x, from -reach to reach. Returns nil if `reach` is 0, which means that all values are
+-- zero; the axis then shows all points.
 local function range_of(reach) return reach > 0 and { -reach, reach } or nil end
 
--- Returns the Hertz contact of an object: the field `hertz` or, without this field, the contact computed from
--- its model and load.
+-- Returns the Hertz contact of an object: the field `hertz` or, without this field, the Hertz contact of its
+-- model and load.
 local function scale_of(where, object)
   local known = get(object, "hertz")
   if known then return known end
@@ -80,7 +80,7 @@ local function scale_of(where, object)
 end
 
 -- Returns the name of the selected body in the first object, and the word that selects it: the last of
--- `words`, or else options.body. Raises an error if an object has no such body.
+-- `words`, else options.body. Raises an error if an object has no such body.
 local function body_word(where, objects, words, options)
   local body = words[#words] or options.body
   for _, word in ipairs(words) do naming.body(where, objects[1], word) end
@@ -90,7 +90,7 @@ end
 
 -- --- the pictures -------------------------------------------------------------------------------
 
--- Returns x and p between the last zero before the contact and the first zero after it.
+-- Returns the positions x and pressures p from the last zero before the contact to the first zero after it.
 local function over_contact(x, p)
   local first, last = 1, #p
   while first < #p and p[first + 1] == 0 do first = first + 1 end
@@ -130,7 +130,8 @@ function curves.pressure(...)
   draw.draw(where, given)
 end
 
--- Returns a panel with the wear depths [µm] of the bodies in `of_body`. The depth axis starts at 0.
+-- Returns a panel with the wear depths [µm] of the selected bodies of all objects. The depth axis starts at
+-- 0.
 local function profile_panel(where, objects, names, of_body, scale, section)
   local panel, reach = {}, 0
   for i, object in ipairs(objects) do
@@ -152,7 +153,7 @@ local function is_spatial(object)
   return has and type(model) == "userdata" and model.geometry == "3-D"
 end
 
--- Returns two panels of a run in three dimensions: the profile along x at z = 0 and the profile along z at x
+-- Returns two panels for a run in three dimensions: the profile along x at z = 0 and the profile along z at x
 -- = 0.
 local function sections(where, objects, names, of_body, scale, options)
   local panels = {}
@@ -211,8 +212,8 @@ end
 
 -- --- history ------------------------------------------------------------------------------------
 
--- Quantities of the history; columns of the same quantity are drawn in one panel. Fields: pattern of the
--- column names, axis label, factor from the unit of the column to the unit of the label.
+-- Quantities in the history, each as { pattern of the column names, axis label, factor from the unit of the
+-- column to the unit of the label }. Columns of the same quantity are drawn in one panel.
 local quantities = {
   { "^p_", "pressure / MPa", 1 },
   { "^depth_partition$", "wear depth partition", 1 },
@@ -257,7 +258,7 @@ local function history_panels(columns)
     end
     panel.columns[#panel.columns + 1] = name
   end
-  for _, panel in ipairs(panels) do -- the only pressure of a panel is named on its axis
+  for _, panel in ipairs(panels) do -- if a panel has only one pressure, the axis label names it
     local only = #panel.columns == 1 and panel.columns[1]
     if only and only:find "^p_" then panel.ylabel = naming.word_of(only) .. " / MPa" end
   end
@@ -271,7 +272,7 @@ local function from_second(list)
 end
 
 -- History columns that contain the settings of an update. They are drawn as steps, because the value in a row
--- applies to the time since the previous row.
+-- was constant since the previous row.
 local chosen = { alpha = true, load = true, travel = true }
 
 local function steps_of(x, y)
@@ -284,8 +285,8 @@ local function steps_of(x, y)
   return xs, ys
 end
 
--- Returns x and y of the column `jump` (cycles per update) without the first row, which has no update, and
--- without a last update that was shortened by the end of the run.
+-- Returns x and y of the history column `jump` (cycles per update). The first row is omitted, because no
+-- update precedes it. The last row is omitted if the end of the run shortened its update.
 local function jumps_of(x, y)
   if #y > 1 and y[1] == 0 then x, y = from_second(x), from_second(y) end
   if #y > 2 and y[#y] < y[#y - 1] then

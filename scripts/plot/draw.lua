@@ -15,7 +15,7 @@ local written = require "archard.lib.written"
 
 local draw = {}
 
--- The user's defaults: term, size (of pictures in the terminal), file_size, colour and key.
+-- Default options set by the user: term, size (of pictures in the terminal), file_size, colour and key.
 draw.default = output.default
 
 -- --- the options --------------------------------------------------------------------------------
@@ -62,12 +62,13 @@ function draw.options(where, options, own)
   return check.fields(where, options or {}, merged(figure_fields, own))
 end
 
--- Properties of the option tables returned by draw.over(), with the table as the key. `titled`: the title is
--- a default of the drawing function. `stacked`: the panels may be drawn side by side instead. `x`, `y`: the
--- unit of this axis may be changed.
+-- Properties of option tables, set by draw.over(), with the option table as the key. `titled`: the title was
+-- chosen by the drawing function. `stacked`: the panels may also be drawn side by side. `x`, `y`: the unit of
+-- this axis may be changed.
 local made = setmetatable({}, { __mode = "k" })
 
--- Returns the defaults of a drawing function, overridden by the user's options of plot{}.
+-- Returns the defaults of a drawing function, overridden by the user's options of plot{}. nature: "stacked"
+-- if panels may be drawn side by side.
 function draw.over(defaults, options, nature)
   made[defaults] = { titled = options.title == nil, stacked = nature == "stacked" and not options.layout,
     x = options.xlabel == nil, y = options.ylabel == nil }
@@ -79,7 +80,7 @@ end
 
 -- --- from options to a figure -------------------------------------------------------------------
 
--- Replaces zero bytes in a text by spaces, because a zero byte would end a C string.
+-- Replaces zero bytes in a text by spaces, because a zero byte ends a C string.
 local function words(text) return text and (text:gsub("%z", " ")) or nil end
 
 local function counted(list)
@@ -197,7 +198,7 @@ local function inherit(panel, figure)
   return merged(inherited, panel)
 end
 
--- Puts "(a)", "(b)", ... before the titles of the panels. The field `name` of a panel stores the title
+-- Adds "(a)", "(b)", ... at the start of the panel titles. The field `name` of a panel stores the title
 -- without the letter.
 local function letter(panels)
   for i = 1, #panels > 1 and #panels <= 26 and #panels or 0 do
@@ -242,12 +243,12 @@ local function run(where, f, ...)
   return result
 end
 
--- A line is drawn with a mark at each point if it has at least 4 points and no curve on the axis has more
--- than 30.
+-- A line is drawn with a mark at each point if it has at least `fewest` points and no curve over the same
+-- axis has more than `few` points.
 local fewest, few = 4, 30
 
--- Returns the number of points of a curve within the range of the axis. Of consecutive zeros only the first
--- is counted. Returns nil if x does not increase.
+-- Returns how many points of a curve lie in the range of the axis. Of consecutive zeros only the first is
+-- counted. Returns nil if x does not increase.
 local function count_shown(curve, axis)
   local low, high = math.min(axis.min or -math.huge, axis.max or -math.huge), math.max(axis.max or math.huge, axis.min or math.huge)
   local count = 0
@@ -258,8 +259,8 @@ local function count_shown(curve, axis)
   return count
 end
 
--- Returns a function(panel, curve) -> true if the points of the curve are marked. Points are marked on lines
--- of few points, unless another curve over the same axis has many points.
+-- Returns a function of a panel and a curve. The function returns true if the curve is drawn with a mark at
+-- each point.
 local function marked_of(figure)
   local counts, most = {}, {}
   for _, panel in ipairs(figure.panels) do
@@ -272,15 +273,15 @@ local function marked_of(figure)
   return function(panel, curve) return counts[curve] >= fewest and most[panel.x.label or ""] <= few end
 end
 
--- Appends the label of the field's values to the title of a picture made of characters, which has no colour
--- scale that could show the label.
+-- Appends the label of the colour values to a title. Pictures made of characters need this, because they have
+-- no colour scale that could show the label.
 local function with_label(title, label)
   if not label or not title or title:find(label, 1, true) then return title or label end
   return label:sub(1, #title) == title and label or title .. ", " .. label
 end
 
--- Returns the figure for `surface`, which is "pixels" or "characters": in suitable units and without the
--- curves for the other kind of output. In pixels, lines of few points get marks.
+-- Returns the figure for output as "pixels" or "characters" (`surface`): with suitable units and without the
+-- curves for the other kind of output. In pixels, lines of few points have marks.
 local function on(figure, surface)
   local panels = {}
   for _, name in ipairs{ "x", "y" } do
@@ -352,7 +353,7 @@ end
 -- Draws a figure from options of plot{}. A picture for the terminal is printed.
 function draw.draw(where, given) show(render(where, given)) end
 
--- Draws a figure and returns the picture as text, for a caller that redraws it repeatedly.
+-- Draws a figure and returns the picture as text, for functions that redraw it repeatedly.
 function draw.picture(where, given) return render(where, given, true) end
 
 -- Returns only the options that choose output, size and colour.

@@ -1,5 +1,5 @@
--- plot.fit: draws a fit with its data (error bars, the model with its band, residuals), or the expected
--- errors of a test design.
+-- plot.fit: draws a fit with its data (error bars, the model with its confidence band, residuals), or the
+-- expected errors of a test design.
 
 local check = require "archard.lib.check"
 local curves = require "archard.plot.curves"
@@ -56,8 +56,8 @@ local function across(item)
   return item.x, "tangential force / N"
 end
 
--- Returns the panel of a friction loop. The band is not drawn: it would overlap itself and is not wider than
--- the line.
+-- Returns the panel of a friction loop. The confidence band is not drawn, because it would overlap itself and
+-- is not wider than the line.
 local function loop_panel(item)
   local label, factor = label_of(item)
   local x, name = across(item)
@@ -118,16 +118,16 @@ local function share_ranges(panels)
   for _, panel in ipairs(panels) do panel.yrange = panel.yrange and all[panel.ylabel] end
 end
 
--- Returns the data sets to draw. Data sets with a single value are left out if another set has more values,
--- since print(f) shows them.
+-- Returns the data sets to draw. If any data set has several values, data sets with a single value are
+-- omitted, because print(f) shows them.
 local function drawn(list)
   local chosen = {}
   for _, item in ipairs(list) do if #item.value > 1 then chosen[#chosen + 1] = item end end
   return #chosen > 0 and chosen or list
 end
 
--- Returns a figure with one column for each data set and the residuals in the row below. For a single data
--- set the residuals are beside it.
+-- Returns a figure with one column of panels for each data set: data above, residuals below. A single data
+-- set has its residuals beside it.
 local function of_fit(fit)
   local above, below, figure = {}, {}, { panels = {} }
   for _, item in ipairs(drawn(fit.data)) do
@@ -150,7 +150,7 @@ end
 
 -- --- a design ------------------------------------------------------------------------------------
 
--- Returns one panel for each unknown with its expected standard error over the distance. The error is in
+-- Returns one panel for each unknown, with its expected standard error over the distance. The error is in
 -- percent of the start value or, if the start value is 0, of the prior error.
 local function of_design(design)
   local figure = { panels = {} }

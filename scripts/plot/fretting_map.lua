@@ -1,5 +1,5 @@
 -- plot.fretting_map: draws a running condition fretting map, which shows the regimes stick, partial slip and
--- gross slip over load and motion amplitude.
+-- gross slip over motion amplitude and load.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -46,7 +46,7 @@ local function conditions_of(map, regime)
   return #curve.x > 0 and curve or nil
 end
 
--- Adds the computed points: in black over filled regimes, otherwise in the colour of their regime.
+-- Adds the computed points: in black if the regimes are filled areas, else in the colour of their regime.
 local function add_conditions(given, map)
   local ground = #map.load > 1
   for _, regime in ipairs(regimes) do
@@ -84,7 +84,7 @@ return function(map, options)
   add_grounds(given, map, partial, gross, least, most)
   add_borders(given, map, partial, gross)
   add_conditions(given, map)
-  given.yrange = { options.logy and map.load[1] / 1.1 or 0, 1.05 * map.load[#map.load] } -- with a margin to the frame
+  given.yrange = { options.logy and map.load[1] / 1.1 or 0, 1.05 * map.load[#map.load] } -- margin at the top
   given.xlabel, given.ylabel, given.xrange = "amplitude of the motion / µm", "load / N", { least, most }
   given.title = ("running condition fretting map: μ = %g"):format(map.friction)
   draw.draw(where, draw.over(given, options))

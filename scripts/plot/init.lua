@@ -1,5 +1,5 @@
--- The public functions of `plot`. Other modules do the work: plot/draw.lua draws, plot/output.lua chooses the
--- output, plot/style.lua sets sizes, plot/units.lua chooses units, plot/naming.lua writes titles.
+-- Defines the public functions of `plot`. Other modules do the work: plot/draw.lua draws, plot/output.lua
+-- chooses the output, plot/style.lua sets sizes, plot/units.lua chooses units, plot/naming.lua writes titles.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"

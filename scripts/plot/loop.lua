@@ -19,8 +19,8 @@ local function loop_of(where, thing)
   check.fail(where, "expected wear runs with friction or their loops, got " .. check.shown(thing))
 end
 
--- Splits the arguments into the runs or loops and the options. The last argument contains the options if it
--- is a table but not a loop.
+-- Splits the arguments into runs or loops, and options. A last argument that is a table but not a loop
+-- contains the options.
 local function split(...)
   local given, options = { ... }, nil
   local last = given[#given]
@@ -29,7 +29,7 @@ local function split(...)
 end
 
 -- Returns the titles of the curves: the user's titles, the settings in which the runs differ, or the cycles
--- at which loops were computed. A single curve gets only a title from the user.
+-- at which the loops were computed. A single curve has only a title given by the user.
 local function names_of(where, things, loops, titles)
   if titles or #things == 1 then return titles or {} end
   local runs, cycles = true, {}
@@ -41,7 +41,8 @@ local function names_of(where, things, loops, titles)
   return runs and naming.names_of(where, things) or cycles
 end
 
--- Returns the unit of the axis and the factor to it from mm: micrometres, or mm if a position exceeds 1 mm.
+-- Returns the unit of the position axis (µm, or mm if a position exceeds 1 mm) and the factor from mm to this
+-- unit.
 local function unit_of(loops)
   local most = 0
   for _, one in ipairs(loops) do

@@ -1,4 +1,4 @@
--- plot.map and plot.surface: draw a surface from above, in colours with contours, or as an oblique view.
+-- plot.map draws a map from above, in colours with contours; plot.surface draws an oblique view of it.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -23,7 +23,7 @@ local function check_map(where, object)
   return object
 end
 
--- Returns the map, resampled to about `count` points along its longer side if it has more.
+-- Returns the map, resampled to about `count` points along its longer side if it has more points there.
 local function thinned(t, count)
   local longer = math.max(t.x[#t.x] - t.x[1], t.z[#t.z] - t.z[1])
   local finest = math.min((t.x[2] - t.x[1]), (t.z[2] - t.z[1]))
@@ -31,7 +31,7 @@ local function thinned(t, count)
   return t:resample(math.min(longer / count, t.x[#t.x] - t.x[1], t.z[#t.z] - t.z[1]))
 end
 
--- Returns the unit in which values are shown and the factor to it. Lengths are shown in µm.
+-- Returns the unit in which the values of a map are shown, and the factor to it. Lengths are shown in µm.
 local function unit_of(t)
   if t.unit == "mm" then return "µm", 1000 end
   return t.unit, 1
@@ -44,9 +44,9 @@ end
 
 local function label_of(t) return ("%s / %s"):format(t.name, (unit_of(t))) end
 
--- Returns the map as a field of quadrilaterals with map points as corners, from the last row to the first.
--- position(i, j) returns x and y of a point in the picture. covers(x, z) returns true if the quadrilateral
--- with this centre is drawn; without `covers` all are drawn.
+-- Returns the map as a list of coloured quadrilaterals with map points as corners, from the last row to the
+-- first. position(i, j): returns x and y of a map point in the picture; covers(x, z): returns true if the
+-- quadrilateral with this centre is drawn (default: all).
 local function field_of(t, position, covers)
   local field, n, nz = { x = {}, y = {}, value = {} }, 0, #t.z
   local _, scale = unit_of(t)
@@ -74,8 +74,8 @@ local map_words = check.one_of{ "depth", "height", "pressure" }
 local function is_joint_run(object) return strict.is(object, "joint_wear") end
 local function is_of_joint(object) return is_joint_run(object) or strict.is(object, "joint_contact") end
 
--- Returns a function(x, z) -> true if this position of a joint's map is drawn: it must be on the hemisphere
--- around the load direction and, except on maps of the head, on the cup.
+-- Returns a function(x, z) that returns true if this position of a joint's map is drawn. It must lie on the
+-- hemisphere around the load direction and, except on maps of the head, on the cup.
 local function cover_of(joint, of_head)
   local covers = of_head and function() return true end or flat.cover(joint.cup)
   return function(x, z)
@@ -109,12 +109,12 @@ function pictures.panel(t, covers)
   given.xlabel, given.ylabel, given.vlabel, given.title = "x / mm", "z / mm", label_of(t), t.name
   given.xrange, given.yrange = { t.x[1], t.x[#t.x] }, { t.z[1], t.z[#t.z] }
   if not has_values(t) then given.vrange = { 0, 1 } end
-  given.equal, given.levels = true, 8 -- no contour at zero, which a levelled surface crosses everywhere
+  given.equal, given.levels = true, 8 -- no contour at zero, which levelled surfaces cross everywhere
   return given
 end
 
--- Returns the options of plot{} that draw a stress component in a section or plane of a contact in three
--- dimensions. options.section is { x= }, { y= } or { z= } [mm]; default z = 0.
+-- Returns the options of plot{} that draw a stress component of a contact in three dimensions, in a plane
+-- given by options.section: { x= }, { y= } or { z= } [mm]; default z = 0.
 function pictures.stress(where, contact, options, label)
   local cut = merged(options.section or { z = 0 }, { body = options.body })
   local t = check.as(where, contact.stress, contact, cut)[options.component or "mises"]
@@ -128,8 +128,8 @@ function pictures.stress(where, contact, options, label)
   return given
 end
 
--- Returns the ranges of x and z with values other than 0, of which there must be some, and a margin of a quarter
--- of the longer side.
+-- Returns the ranges of x and z that contain all nonzero values, with a margin of a quarter of the longer
+-- side. At least one value must be nonzero.
 local function ranges_of(t)
   local x, z, nz = { math.huge, -math.huge }, { math.huge, -math.huge }, #t.z
   local function widen(range, at) range[1], range[2] = math.min(range[1], at), math.max(range[2], at) end
@@ -177,8 +177,8 @@ end
 
 -- --- oblique view -------------------------------------------------------------------------------------
 
-local columns, rows, lean = 150, 50, 1 -- points along x and z; offset of each row to the right, in columns
-local rise = 0.5                       -- vertical length in the picture of a unit length along z
+local columns, rows, lean = 150, 50, 1 -- numbers of points along x and z; offset of each row to the right, in columns
+local rise = 0.5                       -- vertical length in the picture that represents a unit length along z
 local share = 0.2                      -- approximate range of the heights, as a fraction of the longer side
 
 -- Returns the largest number <= value that is 1, 2 or 5 times a power of ten.
@@ -188,7 +188,7 @@ local function rounded(value)
   return power
 end
 
--- Returns the map resampled to columns x rows points, with its smallest and largest value.
+-- Returns the map resampled to `columns` by `rows` points, and its smallest and largest value.
 local function seen(t)
   local x, z, y, low, high = {}, {}, {}, math.huge, -math.huge
   for i = 1, columns do x[i] = t.x[1] + (t.x[#t.x] - t.x[1]) * (i - 1) / (columns - 1) end
@@ -220,7 +220,8 @@ local function visible_rows(position)
   return curve
 end
 
--- Adds the vertical faces at the front and right edges to the field. They extend down to the lowest value.
+-- Adds the vertical faces below the front and right edges to the field. The faces extend down to the lowest
+-- value.
 local function add_walls(field, t, position, foot, low)
   local _, scale = unit_of(t)
   local n = #field.x

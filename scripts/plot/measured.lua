@@ -15,17 +15,18 @@ measured.kind = check.kind("a profile, or a table { x=, h= }", function(v)
   return is_profile(v) or type(v) == "table" and type(v.x) == "table" and type(v.h) == "table" and #v.x == #v.h
 end)
 
--- Returns the trace, averaged over groups of points so that about `most` points lie between `from` and `to`.
+-- Returns the trace, averaged over groups of points such that about `most` points lie between `from` and
+-- `to`.
 local function thinned(p, from, to)
   local length = p.x[#p.x] - p.x[1]
   local shown = math.min(to - from, length)
   return shown / length * #p.x > most and p:average(shown / most) or p
 end
 
--- Returns the points of a trace in µm for the option `points` of plot{}, and the half range of x widened to
--- show the scar. Only points with |x| <= reach are used; if `reach` is 0, all points are used. If the scar is
--- entirely on one side of x = 0, the trace has another origin: its points are shifted to put the middle of
--- the scar at 0, and the title states the shift.
+-- Returns the points of a trace in µm for the option `points` of plot{}, and half the width of the range of
+-- x, widened to show the scar. Only points with |x| <= reach are used, or all points if `reach` is 0. A scar
+-- entirely on one side of x = 0 means that the trace has another origin: its points are shifted such that the
+-- middle of the scar is at 0, and the title states the shift.
 function measured.points(p, reach)
   local points, by, bar = { x = {}, y = {}, title = "measured" }, 0, nil
   if is_profile(p) then

@@ -9,8 +9,8 @@ local mesh = {}
 
 -- --- coordinates along a hole ----------------------------------------------------------------------
 
--- Returns the radius [mm] of the hole in a pair, and on which side of the first point of contact the centre
--- of the hole is: 1 above, -1 below. Returns nil for a pair without a hole.
+-- Returns the radius [mm] of the hole in a pair of bodies, and the side on which the centre of the hole lies:
+-- 1 above the first point of contact, -1 below. Returns nil for a pair without a hole.
 local function hole_of(object)
   local model = naming.get(object, "model") or naming.get(naming.get(object, "contact"), "model") or object
   for role, side in pairs{ lower = 1, upper = -1 } do
@@ -19,8 +19,8 @@ local function hole_of(object)
   end
 end
 
--- Returns the coordinates of the nodes along the wall of the hole and across it [mm], and the radius of the
--- hole.
+-- Returns the coordinates [mm] of the nodes along the wall of the hole and normal to it, and the radius [mm]
+-- of the hole.
 local function unrolled(where, object, x, y)
   local radius, side = hole_of(object)
   if not radius then check.fail(where, "field 'unrolled': expected a pair with a hole, got one without") end
@@ -37,7 +37,7 @@ local function axes_of(options)
   return "x / mm", "y / mm"
 end
 
--- Returns the elements, except the elements that are cut when a round body is unrolled.
+-- Returns the elements without those that are cut when a round body is unrolled.
 local function uncut(elements, s, radius)
   local kept, n = {}, 0
   for e = 1, #elements, 4 do
@@ -60,7 +60,8 @@ local function nodes_of(body)
   return x, y
 end
 
--- Calls f(i, j, uses) for each edge between nodes i and j. `uses` is the number of elements with this edge.
+-- Calls f(i, j, uses) for each edge between two nodes i and j. `uses` is the number of elements that share
+-- the edge.
 local function each_edge(elements, f)
   local uses, order, stride = {}, {}, 2 ^ 26
   for e = 1, #elements, 4 do
@@ -77,8 +78,8 @@ local function each_edge(elements, f)
   end
 end
 
--- Returns edges of the elements as one curve with gaps. If `boundary` is true, only boundary edges are
--- included; with a box, only edges that overlap the box.
+-- Returns the edges of the elements as one curve with gaps. If `boundary` is true, only edges on the boundary
+-- are included; with a box { x0, x1, y0, y1 }, only edges that overlap the box.
 local function edge_curve(x, y, elements, boundary, box)
   local curve, n = { x = {}, y = {} }, 0
   local cx, cy, nan = curve.x, curve.y, 0 / 0
@@ -109,7 +110,8 @@ local function shown_bodies(where, object, options)
   return options.body and { naming.body(where, object, options.body) } or all, all
 end
 
--- Returns a box larger than the view. With equal scales the picture may show more than the view.
+-- Returns a box larger than the view, because the picture may show more than the view if both axes have equal
+-- scales.
 local function around(box)
   if not box then return nil end
   local wide, high = box[2] - box[1], box[4] - box[3]
@@ -119,7 +121,8 @@ end
 
 -- --- mesh ---------------------------------------------------------------------------------------
 
--- Returns a view about ten elements wide that contains both wear boxes.
+-- Returns a view that contains both wear boxes. It is 6 times as wide and 4 times as high as the deeper wear
+-- box.
 local function wear_box_view(where, model)
   local depth = 0
   for _, name in ipairs(naming.bodies(model)) do
@@ -201,9 +204,9 @@ local function displaced(body, factor)
   return x, y
 end
 
--- Returns the approach of the bodies [mm], by which the upper body is drawn lower so that worn bodies touch
--- in the picture. Returns 0 if the option `deformed` is given, if surfaces are unrolled, or if the load is
--- not along y.
+-- Returns the approach of the bodies [mm]. The upper body is drawn lower by the approach, so that worn bodies
+-- touch in the picture. Returns 0 if the option `deformed` is given, if surfaces are unrolled, or if the load
+-- is not along y.
 local function lowered(contact, options)
   if options.deformed or options.unrolled or not contact or naming.get(contact, "load_angle") ~= 0 then return 0 end
   return naming.get(contact, "approach") or 0
@@ -232,8 +235,9 @@ local function add_polygons(field, x, y, values, elements, box)
   end
 end
 
--- Returns the box to show: the user's box, or three half widths around the contact. Returns nil, which shows
--- everything, for zoom = "all", without a contact, and if both bodies are smaller than this box.
+-- Returns the box to show: the user's box, or a box of three half widths around the contact. Returns nil,
+-- which shows both bodies completely, for zoom = "all", without a contact, or if both bodies are smaller than
+-- this box.
 local function stress_view(contact, zoom, bodies)
   if type(zoom) == "table" then return zoom end
   local ok, a = pcall(function() return contact.half_width end)
@@ -245,8 +249,8 @@ local function stress_view(contact, zoom, bodies)
   end
 end
 
--- Returns the stresses and, if known, the contact of these stresses. The object is a contact, a run (its worn
--- state is used), or a table returned by stress().
+-- Returns the stresses of an object and, if known, the contact to which they belong. The object is a contact,
+-- a run (its worn state is used), or a table returned by stress().
 local function field_of(where, object)
   local run, contact_of = pcall(function() return type(object) == "userdata" and object.contact end)
   if run and contact_of then object = contact_of(object) end
@@ -260,8 +264,8 @@ local function field_of(where, object)
     .. check.shown(object))
 end
 
--- Returns the contact of an object in three dimensions: of a run, or the object itself. Returns nil for other
--- objects.
+-- Returns the contact of a run in three dimensions, or the object itself if it is a contact in three
+-- dimensions. Returns nil for other objects.
 local function in_space(object)
   local model = type(object) == "userdata" and naming.get(object, "model")
   if not model or naming.get(model, "geometry") ~= "3-D" then return nil end
@@ -269,7 +273,7 @@ local function in_space(object)
   return contact and contact(object) or object
 end
 
--- Returns the largest value of a component of a body within the view.
+-- Returns the largest value of a stress component of a body within the view.
 local function largest_of(body, component, box)
   local most = 0
   for i, value in ipairs(body[component]) do
@@ -279,10 +283,10 @@ local function largest_of(body, component, box)
   return most
 end
 
-local much = 3 -- ratio of the stresses of the bodies above which the colours would show one body as uniform
+local much = 3 -- above this ratio of the bodies' stresses, one body would have almost one colour
 
--- Returns label and range of the colour scale. If the stresses of one body are much larger, the range is the
--- range of the other body, and the label states the larger maximum.
+-- Returns label and range of the colour scale. If the stresses of one body are much larger, the range covers
+-- only the stresses of the other body, and the label states the larger maximum.
 local function scale_of(bodies, names, component, box, label)
   if #bodies < 2 or not (component == "mises" or component == "shear") then return label end
   local first, second = largest_of(bodies[1], component, box), largest_of(bodies[2], component, box)
@@ -291,8 +295,8 @@ local function scale_of(bodies, names, component, box, label)
   return ("%s (%s: up to %.3g)"):format(label, names[first > second and 1 or 2], high), { 0, low }
 end
 
--- plot.stress(contact or contact:stress(), { component=, zoom=, body=, deformed=, levels=, ... }) draws a stress
--- component in both bodies or in one.
+-- plot.stress(contact or contact:stress(), { component=, zoom=, body=, deformed=, levels=, ... }) draws a
+-- stress component in both bodies, or in one body.
 function mesh.stress(object, options)
   local where = "plot.stress"
   local spatial = in_space(object)

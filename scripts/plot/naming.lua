@@ -1,5 +1,5 @@
--- Titles of the objects in a picture. Several objects are named by the settings in which they differ, a
--- single object by its main settings and their ranges during the run.
+-- Makes the titles of the objects in a picture. Several objects are named by the settings in which they
+-- differ, a single object by its main settings and their ranges during the run.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
@@ -27,16 +27,16 @@ end
 
 local usual = { "cylinder", "plate" }
 
--- Returns the names of the two bodies of an object, the upper body first. The object is a model, or it has a
--- model directly or through its contact.
+-- Returns the names of the two bodies of an object, the upper body first. The object is a model, or has a
+-- field `model`, or has a contact with a model.
 function naming.bodies(object)
   local model = get(object, "model") or get(get(object, "contact"), "model") or object
   local names = get(model, "bodies")
   return names and { names.upper, names.lower } or usual
 end
 
--- Returns the name of the body for a word, which may be a name, a role or a kind of body. Returns nil if no
--- body matches.
+-- Returns the name of the body that a word describes. The word may be a name, a role or a kind of body.
+-- Returns nil if no body matches.
 local function called(object, word)
   local model = get(object, "model") or get(get(object, "contact"), "model") or object
   local names = get(model, "bodies")
@@ -53,7 +53,7 @@ function naming.body(where, object, word)
 end
 
 -- Returns the history column for a name, such as depth_cylinder for "depth_pin", and the name of its body.
--- For columns that belong to no body only the name is returned.
+-- For columns that belong to no body, returns the name only.
 function naming.column(object, name)
   local what, word = name:match("^(%l+)_([%w_]+)$")
   if what ~= "depth" and what ~= "volume" then return name end
@@ -64,8 +64,9 @@ end
 
 -- --- one setting of an object --------------------------------------------------------------------
 
--- Settings for titles. Fields: name of the setting, format of the value, symbol used if the value is a
--- function or table. `axis` is the axis label. `follows` is true if the setting depends on other settings.
+-- Settings that occur in titles. Fields: name of the setting, format of the value, symbol used if the value
+-- is a function or table. `axis` is the axis label. `follows` is true if other settings determine the
+-- setting.
 local settings = {
   { "alpha", "α = %g", "α", axis = "α" }, { "stroke", "s = %g mm", axis = "s / mm" },
   { "load", "load %g N", axis = "load / N" }, { "k", "k = %g mm²/N", "k", axis = "k / (mm²/N)" },
@@ -121,13 +122,13 @@ end
 
 local unnamed = { ["function"] = "%s by function", table = "%s by table" }
 
--- History columns that contain the values of a setting during the run, by the name of the setting. A changed
--- setting applies from the next update on.
+-- History columns with the values of a setting during the run, by the name of the setting. A changed setting
+-- applies from the next update on.
 local course = { load = "load", alpha = "alpha", stroke = "travel", k = "k",
   load_low = "load_low", load_reference = "load_reference" }
 
 -- Returns the smallest and the largest value of a setting in the history, from the first update on. Returns
--- nil if the history has no column for the setting.
+-- nil if the setting has no history column.
 local function span_of(object, name)
   local history = course[name] and get(object, "history")
   local column = history and get(history, course[name])
@@ -146,8 +147,8 @@ local function show_span(low, high)
   return same(low, high) and ("%g"):format(low) or ("%g to %g"):format(low, high)
 end
 
--- Returns the text of the load, from its smallest to its largest value in a cycle. If pressures are reported
--- at another load, the text contains this load too.
+-- Returns the load as text, from its smallest to its largest value in a cycle. If pressures are reported at
+-- another load, the text contains this load too.
 local function load_text(object, low, high)
   low = span_of(object, "load_low") or low
   local from, to = span_of(object, "load_reference")
@@ -158,7 +159,7 @@ local function load_text(object, low, high)
   return text
 end
 
--- Returns the text of the stroke or load of a run with a loading, as the range in the history. Returns nil if
+-- Returns the stroke or load of a run with a loading as text, with its range in the history. Returns nil if
 -- the history has no such column.
 local function under_loading(object, setting)
   local low, high = span_of(object, setting[1])
@@ -167,11 +168,11 @@ local function under_loading(object, setting)
   return ("travel %s mm"):format(show_span(low, high))
 end
 
--- Settings that are omitted if they are 0. A run is driven either by its stroke or by its tangential force, and the
--- other setting is 0; the tolerance is 0 without error control.
+-- Settings that are omitted if they are 0. The stroke or the tangential force is 0 if the other one drives
+-- the run; the tolerance is 0 without error control.
 local none_at_zero = { stroke = true, tangential = true, tolerance = true }
 
--- Returns the text of a setting, with its range during the run or, without a history column, with its present
+-- Returns a setting as text, with its range during the run or, without a history column, with its current
 -- value. Returns nil if the setting is omitted.
 local function setting_text(object, setting)
   local name = setting[1]
@@ -189,7 +190,7 @@ local function setting_text(object, setting)
   if name == "cycle" and type(value) == "number" and value >= 100 then value = math.floor(value + 0.5) end
   local as_word = setting[2]:find("%s", 1, true)
   if type(value) == "number" then return setting[2]:format(as_word and ("%g"):format(value) or value) end
-  -- A run file may contain a value of any type.
+  -- A value from a run file may be of any type.
   return as_word and type(value) == "string" and setting[2]:format(value) or nil
 end
 
@@ -223,8 +224,8 @@ local function with_texts(parts, all)
   return longer
 end
 
--- Returns for each object the texts of the settings that differ, and the list of these settings. A setting
--- that depends on others is included only if it distinguishes more objects.
+-- Returns for each object the texts of the settings in which the objects differ, and the list of these
+-- settings. A setting determined by other settings is included only if it distinguishes more objects.
 local function parts_of(objects)
   local parts, used = {}, {}
   for i in ipairs(objects) do parts[i] = {} end
@@ -242,8 +243,8 @@ end
 
 local most_in_key = 8
 
--- Returns label and values for a colour scale, or nil. A scale is used for more than eight objects that differ only
--- in one numeric setting.
+-- Returns label and values of a colour scale, or nil. A colour scale is used for more than eight objects that
+-- differ only in one numeric setting.
 local function scale_of(objects, used)
   if #objects <= most_in_key or #used ~= 1 or not used[1].axis then return nil end
   local values = {}
@@ -254,8 +255,8 @@ local function scale_of(objects, used)
   return { label = used[1].axis, values = values }
 end
 
--- Returns the name of each object: `titles` or the settings in which the objects differ. Also returns a
--- colour scale { label=, values= } if more than eight objects differ in only one number.
+-- Returns the name of each object: `titles` or, without titles, the settings in which the objects differ.
+-- Also returns a colour scale { label=, values= } if more than eight objects differ in only one number.
 function naming.names_of(where, objects, titles)
   if titles and #titles ~= #objects then
     check.fail(where, ("field 'titles': expected one for each of %d objects, got %d"):format(
@@ -272,7 +273,8 @@ end
 
 -- --- one object ----------------------------------------------------------------------------------
 
--- Returns true if a body has layers or materials with different k. No single alpha applies to such a run.
+-- Returns true if a body has layers or materials, which may differ in k. No single alpha applies to such a
+-- run.
 local function is_layered(object)
   local model = get(object, "model")
   for _, role in ipairs{ "upper", "lower" } do
@@ -282,7 +284,7 @@ local function is_layered(object)
   return false
 end
 
--- Returns a text with the main settings of the only object in a picture.
+-- Returns a text with the main settings of an object, for a picture that shows only this object.
 function naming.summary(object)
   local parts, layered = {}, is_layered(object)
   for _, name in ipairs { "stroke", get(object, "stroke") and "tangential" or false, "alpha", "load", "cycle" } do

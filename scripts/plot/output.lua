@@ -8,7 +8,7 @@ local style = require "archard.plot.style"
 
 local output = {}
 
-output.default = {} -- the user's defaults of term, size, colour and key
+output.default = {} -- defaults of term, size, colour and key, set by the user
 
 local windows = { window = true, qt = true, wxt = true, x11 = true }
 local file_kinds = {}
@@ -36,8 +36,8 @@ local function text_size(figure)
   return width, math.max(height, rows > 1 and 12 * rows + 2 or 0)
 end
 
--- Returns the user's choice of colours, from the call or from plot.default: true for colours, false for greys
--- and plain characters, nil if there is no choice.
+-- Returns the user's choice of colours in the call or in plot.default: true for colours, false for greys or
+-- plain characters, nil if the user made no choice.
 local function colours_of(given)
   local colour = given.colour
   if colour == nil then colour = output.default.colour end
@@ -53,8 +53,9 @@ local function to_text(figure, given, fine)
     ascii = not term.utf8() }
 end
 
--- Returns a picture in pixels that is as large as a picture of characters and has letters of the same size as
--- the terminal. If the terminal does not report its size in pixels, cells of 8 by 16 pixels are assumed.
+-- Returns the output for a picture in pixels. The picture is as large as a picture of characters, and its
+-- letters are as large as those of the terminal. If the terminal does not report its size in pixels, cells of
+-- 8 by 16 pixels are assumed.
 local function to_pixels(figure, kind)
   local columns, lines = term.size()
   local wide, high = term.pixels()
@@ -92,8 +93,8 @@ local function to_window(where, name)
   return { medium = "window", terminal = name ~= "window" and name or nil }
 end
 
--- Returns the output on the screen. If `moving` is true, the picture is part of an animation, for which
--- pixels are too slow.
+-- Returns the output for a picture on the screen. If `moving` is true, the picture is part of an animation,
+-- for which output in pixels is too slow.
 local function to_screen(where, figure, given, kind, moving)
   if windows[kind] then return to_window(where, kind) end
   if kind == "sixel" or kind == "kitty" then return to_pixels(figure, kind) end
@@ -109,7 +110,7 @@ function output.to_file(where, figure, file, kind, size)
     check.fail(where, ("field 'file': expected a name that ends in .%s, got \"%s\""):format(
       kind or gnuplot.endings:gsub(" ", ", ."):gsub(", (%S+)$", " or %1"), file))
   end
-  if file:find("%z") then check.fail(where, "field 'file': a zero byte in the name") end
+  if file:find("%z") then check.fail(where, "field 'file': the name contains a zero byte") end
   local to = { medium = "file", file = file, ascii = false }
   if size then to.width, to.height = size[1], size[2] end
   if ending ~= "txt" then
@@ -121,8 +122,8 @@ end
 
 -- --- choice of the output ------------------------------------------------------------------------
 
--- Returns true if the picture has greys only. The colours are chosen in the call or in plot.default or, for
--- files without such a choice, by the style.
+-- Returns true if the picture has greys only. This is set in the call, in plot.default or, for files without
+-- such a setting, in the style.
 local function is_grey(given)
   local colour = colours_of(given)
   if colour == nil and given.file then colour = style.colour() end
@@ -145,7 +146,8 @@ local function chosen(where, figure, given, moving)
   end
   local to = to_screen(where, figure, given, kind, moving)
   local size = given.size or output.default.size
-  -- The size is in characters if the output on a terminal was chosen automatically, else in the unit of the output.
+  -- If the program chose the output in the terminal, the size is in characters, else in the unit of the
+  -- output.
   if size and not (to.shown_by and not given.term and not output.default.term) then
     to.width, to.height = size[1], size[2]
   elseif size then -- convert from characters to pixels

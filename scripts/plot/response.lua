@@ -1,5 +1,5 @@
 -- plot.response: draws a result of a study over a varied setting, with one curve for each value of a second
--- setting, or as a map over both.
+-- setting, or draws the result as a map over both settings.
 
 local check = require "archard.lib.check"
 local keys = require "archard.lib.keys"
@@ -48,7 +48,7 @@ local function check_where(study, given)
   end
 end
 
--- Returns the finished cases that match options.where, each as { case=, x=, by=, y= } with the numbers to
+-- Returns the finished cases that match options.where, each as { case=, x=, by=, y= } with the values to
 -- draw.
 local function points_of(study, options)
   local points = {}
@@ -86,8 +86,8 @@ local function refuse_hidden(study, points)
   end
 end
 
--- Returns the distinct values of a field of the points, and true if all are numbers. Numbers are sorted,
--- other values are in order of appearance.
+-- Returns the distinct values of a field of the points, and true if all are numbers. Numbers are sorted;
+-- other values are listed in order of appearance.
 local function values_of(points, field)
   local values, seen, numbers = {}, {}, true
   for _, point in ipairs(points) do
@@ -104,7 +104,7 @@ end
 
 -- --- curves --------------------------------------------------------------------------------------
 
--- Returns tick positions 1, 2, 3, ... with the values as labels, unless all values are numbers.
+-- Returns ticks at 1, 2, 3, ... with the values as labels, or nil if all values are numbers.
 local function places_for(values, numbers)
   if numbers then return nil end
   local at, words = {}, {}
@@ -145,8 +145,8 @@ end
 
 -- --- map -----------------------------------------------------------------------------------------
 
--- Draws a map with one square of equal size for each case. The values of the settings are tick labels:
--- strokes of 0.11 and 20 mm, for example, do not fit one scale.
+-- Draws a map with one square of equal size for each case. The values of the settings are tick labels,
+-- because values such as strokes of 0.11 mm and 20 mm do not fit one scale.
 local function as_map(points, options, _, factor)
   local xs, ys = values_of(points, "x"), values_of(points, "by")
   local across, up = position_in(xs, false), position_in(ys, false)
@@ -178,8 +178,8 @@ end
 local own = { x = check.text, y = check.text, by = check.text, where = check.table,
   map = check.flag }
 
--- plot.response(study, { x="alpha", y="depth_cylinder", by="stroke", map=true, where={ k=1e-8 } }) draws the result y
--- of the finished cases.
+-- plot.response(study, { x="alpha", y="depth_cylinder", by="stroke", map=true, where={ k=1e-8 } }) draws the
+-- result y of the finished cases over the setting x.
 return function(study, options)
   local cases = naming.get(study, "cases")
   if not cases or not naming.get(study, "varied") then
@@ -191,7 +191,7 @@ return function(study, options)
   end
   check_varied(study, "x", options.x)
   if options.by then check_varied(study, "by", options.by) end
-  if options.map and not options.by then check.refuse(where, "by", "a string (for map)", nil) end
+  if options.map and not options.by then check.refuse(where, "by", "a string, as required by map=true", nil) end
   check_where(study, options.where or {})
   local points = points_of(study, options)
   refuse_hidden(study, points)

@@ -1,4 +1,4 @@
--- Helpers for curves: scaled values and the filled area between two curves.
+-- Functions for curves: scale values, and make the filled area between two curves.
 
 local shapes = {}
 
@@ -9,8 +9,8 @@ function shapes.scaled(list, factor)
   return result
 end
 
--- Returns the filled area between two curves over x: a closed curve along `low` and back along `high`. Values
--- are multiplied by `factor`.
+-- Returns the filled area between two curves over x, as a closed curve along `low` and back along `high`. The
+-- values of both curves are multiplied by `factor`.
 function shapes.area(x, low, high, factor)
   local xs, ys = table.move(x, 1, #x, 1, {}), {}
   for i = 1, #x do ys[i] = low[i] * factor end

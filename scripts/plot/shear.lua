@@ -39,8 +39,8 @@ local function refuse_axis(where, options)
   if options.axis then check.fail(where, "field 'axis': not allowed in two dimensions, where all tractions are along x") end
 end
 
--- Draws a map of the shear or slip of a contact in three dimensions where the bodies touch: the component
--- along options.axis or, without an axis, the magnitude.
+-- Draws a map of the shear traction or slip of a contact in three dimensions, where the bodies touch. The map
+-- shows the component along options.axis or, without an axis, the magnitude.
 local function draw_map(where, contact, method, options)
   options = draw.options(where, options, { axis = axes })
   local pressure = contact:pressure()
@@ -50,8 +50,8 @@ local function draw_map(where, contact, method, options)
   draw.draw(where, draw.over(given, options))
 end
 
--- plot.shear(c, { body=, ... }) draws the shear tractions of a contact, in 3-D
--- plot.shear(c, { axis=, ... }) a map of them.
+-- plot.shear(c, { body=, ... }) draws the shear tractions of a contact. For a contact in three dimensions,
+-- plot.shear(c, { axis=, ... }) draws a map of the tractions.
 function shear.shear(contact, options)
   local where = "plot.shear"
   if type(contact) ~= "userdata" or not curves.get(contact, "stick") then
@@ -66,7 +66,7 @@ function shear.shear(contact, options)
   local upper, lower, most = bounds_of(contact:pressure(body), contact.friction)
   local given = {}
   add_zones(given, contact, -1.05 * most, 1.05 * most, "pixels")
-  -- The bar of the stick zone is narrow, because characters cannot show overlapping areas.
+  -- characters cannot show overlapping areas, so the stick zone is drawn as a narrow bar at the bottom
   add_zones(given, contact, -1.05 * most, -0.95 * most, "characters")
   given[#given + 1] = { x = q.x, y = upper, series = 2, dash = 2, title = "±μp" }
   given[#given + 1] = { x = q.x, y = lower, series = 2, dash = 2 }
@@ -78,7 +78,7 @@ function shear.shear(contact, options)
   draw.draw(where, draw.over(given, options))
 end
 
--- Returns x [mm] and the slip [µm] at the points between the contact edges.
+-- Returns the points between the contact edges, with x [mm] and the slip as y [µm].
 local function slip_within(contact)
   local slip, edges = contact:slip(), contact.edges
   local x, s = {}, {}
@@ -90,8 +90,8 @@ local function slip_within(contact)
   return { x = x, y = s }
 end
 
--- plot.slip(c1, c2, ..., { titles=, ... }) draws the slip of contacts, in 3-D
--- plot.slip(c, { axis=, ... }) a map of the slip.
+-- plot.slip(c1, c2, ..., { titles=, ... }) draws the slip of contacts. For a contact in three dimensions,
+-- plot.slip(c, { axis=, ... }) draws a map of the slip.
 function shear.slip(...)
   local where = "plot.slip"
   local first, second = ...

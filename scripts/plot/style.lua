@@ -7,9 +7,9 @@ local strict = require "archard.strict"
 
 local style = {}
 
--- Presets of the styles. Widths are in mm, letters in points, line widths relative to the screen style.
--- `shape` is the height of a figure with one panel divided by its width. The screen style has no width in mm:
--- its figures are sized in pixels.
+-- Presets of the styles. Widths are in mm, letter sizes in points, line widths relative to the style
+-- "screen". `shape` is the ratio of height to width of a figure with one panel. The style "screen" has no
+-- width in mm, because its figures are sized in pixels.
 local presets = {
   screen = { name = "screen" },
   paper = { name = "paper", column = 85, page = 170, points = 8, lines = 0.8, dpi = 600,
@@ -35,11 +35,11 @@ local fields = {
   lines = of_numbers(0.1, 10), title = check.flag, colour = check.one_of({ "grey" }, check.flag),
 }
 
--- Names of the fields of a style: its options and the fields of a preset.
+-- Names of all fields of a style: the options and the fields of a preset.
 local names = keys(merged(fields, { name = true, column = true, page = true, shape = true }))
 local held = { __plain = true, __index = function(_, name) return strict.refuse("plot.style", name, names) end }
 
-local as_column = { single = "column", double = "page" } -- names of these widths in journals
+local as_column = { single = "column", double = "page" } -- names that journals use for these widths
 
 local function shown(chosen) return setmetatable(merged(chosen), held) end
 
@@ -76,7 +76,7 @@ end
 
 -- --- the size of a figure ------------------------------------------------------------------------
 
--- Returns the width [mm] of a figure. Figures with several columns of panels are as wide as the page.
+-- Returns the width [mm] of a figure. A figure with several columns of panels is as wide as the page.
 local function width_of(columns)
   local width = current.width or (columns > 1 and "page" or "column")
   return current[width] or width
@@ -84,7 +84,7 @@ end
 
 local highest_panel, highest = 60, 240 -- largest height of a panel, height of a journal page [mm]
 
--- Returns the height [mm] of a figure. With one panel it follows from the style's shape; panels in a grid are
+-- Returns the height [mm] of a figure. With one panel it follows from the field `shape`; panels in a grid are
 -- slightly lower than wide.
 local function height_of(width, rows, columns, size)
   if current.height then return current.height end
@@ -93,20 +93,20 @@ local function height_of(width, rows, columns, size)
   return math.min(highest, width / columns * 0.85 * rows + 8, highest_panel * rows + 8)
 end
 
--- Returns the numbers of rows and columns of panels in a file. Two stacked panels would be flat and are drawn
--- side by side; so are three panels if the style has a page width.
+-- Returns the numbers of rows and columns of panels in a file. Two stacked panels are drawn side by side,
+-- because they would be flat; so are three panels if the style has a page width.
 function style.grid(rows, columns)
   local most = current.page and 3 or 2
   if columns == 1 and rows <= most and current.width ~= "column" then return 1, rows end
   return rows, columns
 end
 
--- Units per inch in vector formats: 96 in svg as in browsers, 1000 in pdf and eps to make rounding errors
--- small.
+-- Units per inch in vector formats: 96 in svg, as in browsers; 1000 in pdf and eps, which makes rounding
+-- errors small.
 local units = { svg = 96, pdf = 1000, eps = 1000 }
 
--- Sets size, resolution, letters and lines of an output to a file. `size`: the caller's size [pixels], which
--- is scaled to the width of the style.
+-- Sets size, resolution, letters and lines of an output to a file. `size`: size given by the caller [pixels],
+-- which is scaled to the width of the style.
 function style.apply(output, rows, columns, size, ending)
   output.points, output.lines, output.family = current.points, current.lines, current.font
   if not current.column then return end
@@ -120,10 +120,10 @@ end
 
 -- Returns true if the style sets the size of pictures in mm.
 function style.in_mm() return current.column ~= nil end
--- Returns false if the style omits default titles. A title given in the call is always drawn.
+-- Returns false if the style omits default titles. A title given in the call is drawn in all styles.
 function style.titled() return current.title ~= false end
 
--- Returns the colours of the style: true, false or "grey"; nil if the style does not set them.
+-- Returns the colours of the style: true, false or "grey", or nil if the style does not set them.
 function style.colour() return current.colour end
 
 return style

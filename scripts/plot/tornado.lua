@@ -1,6 +1,6 @@
--- plot.tornado: draws a bar for the influence of each input on a result, sorted by length. The influence is
--- Sobol's index or the rank correlation from a sampled study, or the relative sensitivity (percent per percent)
--- from w:sensitivity.
+-- plot.tornado: draws the influence of each input on a result as a bar, sorted by length. The influence is
+-- the Sobol index or the rank correlation from a sampled study, or the relative sensitivity (percent per
+-- percent) from w:sensitivity.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -10,8 +10,8 @@ local where = "plot.tornado"
 
 -- --- values of the bars --------------------------------------------------------------------------
 
--- Each function of_...() returns the axis label and a list of bars { name=, value=, whole= }. The optional
--- `whole` is the length of a second bar of the same input.
+-- Each function of_...() returns the axis label and a list of bars { name=, value=, whole= }, one for each
+-- input. `whole` (optional) is the length of a second bar of the same input.
 local function of_sensitivity(object, of, at)
   local bars = {}
   for i, name in ipairs(object.to) do bars[i] = { name = name, value = object[of][name].elasticity[at] } end
@@ -42,8 +42,8 @@ end
 
 local function length_of(bar) return math.abs(bar.whole or bar.value) end
 
--- Adds filled bars at the heights 1, 2, ... in the order of `bars`. Each bar extends from `below` to `above`
--- relative to its height. Only the first bar has the title.
+-- Adds filled bars at the heights 1, 2, ... in the order of `bars`. Each bar extends from `below` to `above`,
+-- measured from its height. Only the first bar has the title, since the key needs it once.
 local function add_bars(curves, bars, field, below, above, series, title)
   for i, bar in ipairs(bars) do
     local to = bar[field]
@@ -71,7 +71,7 @@ local function places_of(bars)
   return { at = at, words = words }
 end
 
--- Returns the index of the distance nearest to `at` [mm]; without `at`, the last index.
+-- Returns the index of the distance nearest to `at` [mm], or the last index without `at`.
 local function index_of(distance, at)
   local best = #distance
   for i, d in ipairs(at and distance or {}) do
@@ -88,7 +88,8 @@ local function name_in(object, of)
   check.fail(where, ("field 'of': no quantity '%s'%s"):format(of, check.hint(of, object.of)))
 end
 
--- plot.tornado(study or uncertainty or sensitivity, { of=, at=, ... }) draws the bars of a result at a distance.
+-- plot.tornado(study or uncertainty or sensitivity, { of=, at=, ... }) draws the bars for the result `of` at
+-- the distance `at` [mm].
 return function(object, options)
   options = draw.options(where, options, { of = check.text, at = check.positive })
   if naming.get(object, "uncertainty") then

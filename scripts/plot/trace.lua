@@ -19,7 +19,8 @@ local function split(where, ...)
   return traces, draw.options(where, options, { titles = check.table })
 end
 
--- Called as trace(where, p1, p2, ..., { titles=, ... }); draws the profiles.
+-- Draws profiles. Arguments: name of the function in error messages, profiles p1, p2, ..., and { titles=, ...
+-- }.
 return function(where, ...)
   local traces, options = split(where, ...)
   local heights, given = traces[1].z ~= nil, {}

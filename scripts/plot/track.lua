@@ -1,5 +1,5 @@
--- plot.track: draws the paths of points of a joint's head over its cup during a cycle. The projection is
--- azimuthal equal-area, centred on the nominal load.
+-- plot.track: draws the paths of points of a joint's head over its cup during a cycle, in an azimuthal
+-- equal-area projection centred on the nominal load.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -14,8 +14,8 @@ local function points()
   return list
 end
 
--- Returns the position of point `m` of the head at instant `i`, as a unit vector. Each instant has 15
--- numbers; the first nine are the rotation matrix.
+-- Returns the position of point `m` of the head at instant `i` as a unit vector. The list `instants` has 15
+-- numbers for each instant; the first nine are the rotation matrix.
 local function turned(instants, i, m)
   local n = {}
   for k = 1, 3 do
@@ -25,8 +25,8 @@ local function turned(instants, i, m)
   return n
 end
 
--- plot.track(g, { radius=14, ... }) draws the gait g. For a run it draws the present gait, with the head
--- radius of the run [mm].
+-- plot.track(g, { radius=14, ... }) draws the gait g. For a run it draws the current gait, with the run's
+-- head radius. radius: head radius [mm].
 return function(g, options)
   local where = "plot.track"
   local run = joint_file.is_joint(g) and g

@@ -1,12 +1,13 @@
 -- Converts lengths on the axes of a picture to a suitable unit, for example distances to m or km and depths
--- to nm. The figure is copied, because points may be added to the original in its own units.
+-- to nm. The conversion copies the figure, because points may later be added to the original in its own
+-- units.
 
 local merged = require "archard.lib.merged"
 
 local units = {}
 
--- `lengths`: axis labels whose unit may be changed. `known`: the units, each with its number per mm and the
--- length [mm] up to which it is used.
+-- `lengths`: quantities whose unit may be changed. `known`: units, each with the number of units per mm and
+-- the length [mm] below which the unit is used.
 local lengths = { distance = true, ["wear depth"] = true, ["sum of wear depths"] = true, slip = true }
 local known = { { "nm", 1e6, 1e-4 }, { "µm", 1e3, 1 }, { "mm", 1, 1e4 }, { "m", 1e-3, 1e7 }, { "km", 1e-6, math.huge } }
 
@@ -16,8 +17,8 @@ local function in_mm(unit)
   end
 end
 
--- Returns the quantity on an axis and the length of its unit [mm]. Returns nil if the unit of the axis may
--- not be changed.
+-- Returns the quantity on an axis, and the length of the axis unit [mm]. Returns nil if the unit of the axis
+-- may not be changed.
 local function length_of(axis)
   local what, unit = (axis.label or ""):match "^(.-) / (%S+)$"
   if lengths[what] and in_mm(unit) then return what, in_mm(unit) end
@@ -35,7 +36,8 @@ local function reach_of(panel, name)
   return most
 end
 
--- Returns the largest length [mm] on the axes of each quantity. Axes of the same quantity get the same unit.
+-- Returns the largest length [mm] of each quantity on the axes, so that all axes of a quantity have the same
+-- unit.
 local function reaches_of(figure, name)
   local reaches = {}
   for _, panel in ipairs(figure.panels) do

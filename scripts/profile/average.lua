@@ -1,10 +1,10 @@
--- Reduces the number of points and the noise of traces: means over cells of equal length, and means of
--- several traces.
+-- Averages measured traces: over cells of equal length, which reduces points and noise, and over several
+-- traces.
 
 local average = {}
 
--- Averages the points of a trace over cells of width `step`. Returns lists of the cells' positions, mean
--- heights and numbers of points. If a cell has no points, returns nil and the position of the cell.
+-- Averages the points of a trace over cells of width `step`. Returns three lists: position, mean height and
+-- number of points of each cell. If a cell has no points, returns nil and the position of this cell.
 function average.cells(x, z, step)
   local count = math.max(1, math.floor((x[#x] - x[1]) / step + 1e-9))
   local first = (x[1] + x[#x] - (count - 1) * step) / 2
@@ -22,8 +22,8 @@ function average.cells(x, z, step)
   return cx, cz, counts
 end
 
--- Returns heights by linear interpolation at the increasing positions `at`, which must be within the range
--- of x.
+-- Returns the heights at the increasing positions `at` by linear interpolation. All positions must be in the
+-- range of x.
 function average.at(x, z, at)
   local result, i = {}, 1
   for k = 1, #at do
@@ -34,9 +34,9 @@ function average.at(x, z, at)
   return result
 end
 
--- Returns the weighted mean of several traces with equal positions, and the standard error of this mean.
--- The error is computed from the differences between the traces. lists: heights of each trace; errors:
--- standard error of each trace, which sets its weight.
+-- Returns the weighted mean of several traces with equal positions, and its standard error, which is computed
+-- from the differences between the traces. lists: heights of each trace; errors: standard error of each
+-- trace, which sets its weight.
 function average.traces(lists, errors)
   local weights, total = {}, 0
   for t, e in ipairs(errors) do

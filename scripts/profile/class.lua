@@ -1,6 +1,5 @@
--- Class profile: a measured trace with positions x and heights z (or depths h) in mm, its noise, and the
--- processing that was applied. Each method returns a new profile. evaluate.lua adds the methods that return
--- results.
+-- Class profile: a measured trace with positions x and heights z (or depths h) in mm, its noise, and a record
+-- of the processing. The methods here return a new profile; evaluate.lua adds methods that return results.
 
 local average = require "archard.profile.average"
 local check = require "archard.lib.check"
@@ -29,7 +28,7 @@ end
 
 -- --- making ---------------------------------------------------------------------------------------
 
--- Returns the heights of a profile. For a profile of depths, these are the negative depths.
+-- Returns the heights of a profile. The heights of a profile of depths are the negative depths.
 function profile.heights(p)
   if p.z then return p.z end
   local z = {}
@@ -39,8 +38,8 @@ end
 
 function profile.step(p) return (p.x[#p.x] - p.x[1]) / (#p.x - 1) end
 
--- Returns a profile with new positions x, new heights z and changed fields. into: "z" to store heights or
--- "h" to store depths; default: as in p.
+-- Returns a copy of profile p with positions x, heights z and the fields in `changes`. into: "z" to store
+-- heights, "h" to store depths; default: as in p.
 function profile.derived(p, x, z, changes, into)
   local result = merged(p, changes)
   result.x, result.z, result.h = x, z, nil
@@ -51,8 +50,8 @@ function profile.derived(p, x, z, changes, into)
   return setmetatable(result, class)
 end
 
--- Checks the points and returns them with increasing x. Points with NaN are removed; their number is
--- returned too.
+-- Checks the points and returns them with increasing x, without points that contain NaN. The third result is
+-- the number of removed points.
 local function clean(where, x, z, name)
   local cx, cz, missing = {}, {}, 0
   for i = 1, #x do
@@ -83,8 +82,8 @@ local function clean(where, x, z, name)
   return cx, cz, missing
 end
 
--- Makes a profile from lists of positions and values [mm], and checks the lists. name: "z" for heights, "h"
--- for depths; given: standard deviation of the noise, or nil to estimate it; path: file of the trace, or
+-- Checks lists of positions and values [mm] and makes a profile from them. name: "z" for heights, "h" for
+-- depths; given: standard deviation of the noise [mm], or nil to estimate it; path: file of the trace, or
 -- nil.
 function profile.new(where, x, values, name, given, path)
   if #x ~= #values then
@@ -105,7 +104,7 @@ local range = check.kind('"auto" or { from, to } in mm, from < to', function(v)
 end)
 profile.range, profile.level_kind = range, check.one_of(form.kinds)
 
--- Returns the heights of a profile as they were before a form was subtracted.
+-- Returns the heights of a profile before a line or circle was subtracted.
 local function original(p)
   local z, off = profile.heights(p), p.removed
   if not off then return z end
@@ -130,8 +129,8 @@ local function fitted(where, p, z, kind, worn)
   return found, from and { from, to }, is_used
 end
 
--- Returns a profile minus a form. The form is fitted to all points or, if `worn` is given, to the points
--- beside the scar.
+-- Returns a profile minus a fitted line or circle (the form). The form is fitted to all points or, if `worn`
+-- is given, to the points beside the scar.
 function profile.level(where, p, kind, worn)
   local z = original(p)
   local found, scar_at, is_used = fitted(where, p, z, kind, worn)
@@ -145,7 +144,7 @@ function profile.level(where, p, kind, worn)
     length = length }, "profile.scatter") })
   result.radius = kind == "circle" and found:radius() or nil
   result.scar = scar_at and strict.table({ from = scar_at[1], to = scar_at[2] }, "profile.scar") or nil
-  result.removed = found -- the form, for repeated levelling and the uncertainty of areas
+  result.removed = found -- the form, needed for repeated levelling and for the uncertainty of areas
   return result
 end
 
@@ -160,8 +159,8 @@ end
 
 -- --- filter, mean, cut ------------------------------------------------------------------------------
 
--- Returns the mean step of x. Positions that differ from even steps by more than a twentieth of a step are
--- an error.
+-- Returns the mean step of x. Raises an error if a position differs by more than a twentieth of a step from
+-- its even position.
 function profile.even_step(where, p)
   local step = profile.step(p)
   for i = 2, #p.x do
@@ -173,8 +172,8 @@ function profile.even_step(where, p)
   return step
 end
 
--- Returns the long-wave part of the heights, and the step of x. A cut-off below two steps or above the
--- length of the trace is an error. name: field of the cut-off in this error.
+-- Returns the long-wave part of the heights, and the step of x. Raises an error if the cut-off is below two
+-- steps or above the length of the trace. name: name of the cut-off in this error.
 function profile.long_waves(where, p, z, cutoff, name)
   local step, whole = profile.even_step(where, p), p.x[#p.x] - p.x[1]
   if not (check.positive.test(cutoff) and cutoff >= 2 * step and cutoff <= whole) then
@@ -184,8 +183,8 @@ function profile.long_waves(where, p, z, cutoff, name)
   return gaussian.long(z, step, cutoff), step
 end
 
--- p:filter(cutoff [, "long" | "short"]) returns the long-wave or the short-wave part of the profile. cutoff: cut-off
--- wavelength [mm].
+-- Lua method p:filter(cutoff [, "long" | "short"]): returns the long-wave part (default) or the short-wave
+-- part of the profile. cutoff: cut-off wavelength [mm].
 function methods:filter(cutoff, part)
   local where, kinds = "profile:filter", check.one_of{ "long", "short" }
   profile.self(where, self)
@@ -201,7 +200,7 @@ function methods:filter(cutoff, part)
   return profile.derived(self, self.x, long, { cutoff = cutoff, error = self.error * math.sqrt(rest) })
 end
 
--- p:average(step) returns the means over cells of length `step` [mm].
+-- Lua method p:average(step): returns the profile averaged over cells of length `step` [mm].
 function methods:average(step)
   local where, old = "profile:average", profile.step(profile.self("profile:average", self))
   local most = (self.x[#self.x] - self.x[1]) / 4
@@ -217,7 +216,7 @@ function methods:average(step)
     correlation = math.max(step, self.correlation) })
 end
 
--- p:cut(from, to) returns the part between two positions [mm].
+-- Lua method p:cut(from, to): returns the part of the profile between two positions [mm].
 function methods:cut(from, to)
   local where = "profile:cut"
   profile.self(where, self)
@@ -234,15 +233,15 @@ function methods:cut(from, to)
   return profile.derived(self, x, z)
 end
 
--- Returns a copy of the list part of a table, or an empty list if the value is not a table.
+-- Returns a copy of the list part of a table, or an empty list if `given` is not a table.
 local function copied(given)
   local list = {}
   for i, item in ipairs(type(given) == "table" and given or {}) do list[i] = item end
   return list
 end
 
--- profile.mean{ p1, p2, ... } returns the mean over the common range of x, at the positions of the first
--- profile.
+-- Lua function profile.mean{ p1, p2, ... }: returns the mean of several profiles over their common range of
+-- x, at the positions of the first profile.
 function profile.mean(given)
   local where = "profile.mean"
   local from, to, traces = -math.huge, math.huge, copied(given)
@@ -272,7 +271,7 @@ end
 
 -- --- printing -----------------------------------------------------------------------------------------
 
-local uneven = 30 -- the surface may be round if the scatter about a line exceeds this multiple of the noise
+local uneven = 30 -- if the scatter about a line exceeds this multiple of the noise, the surface may be round
 
 local function um(value) return ("%.4g um"):format(1000 * value) end
 

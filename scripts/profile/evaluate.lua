@@ -1,5 +1,5 @@
--- Adds methods with results to the class profile (class.lua): depths below a reference, area and volume of
--- the scar with their uncertainty, roughness, and the start shape of a run.
+-- Adds methods that return results to the class profile (class.lua): depths below a reference, area and
+-- volume of the scar with their uncertainty, roughness, and the initial surface of a run.
 
 local average = require "archard.profile.average"
 local check = require "archard.lib.check"
@@ -17,7 +17,8 @@ local methods = profile.methods
 local depth_fields = { level = profile.level_kind, scar = profile.range,
   reference = check.kind("a profile of heights", function(v) return profile.is(v) and v.z ~= nil end) }
 
--- Returns a profile of the heights minus the heights of a reference trace, over the common range of both.
+-- Returns the heights of p minus the heights of a reference trace as a profile, over the common range of
+-- both.
 local function change(where, p, reference)
   local from, to = math.max(p.x[1], reference.x[1]), math.min(p.x[#p.x], reference.x[#reference.x])
   if from >= to then
@@ -33,8 +34,8 @@ local function change(where, p, reference)
   return result
 end
 
--- p:depth(), p:depth(reference) or p:depth{ reference=, level=, scar= } returns depths below a form that is
--- fitted beside the scar. The reference trace, if any, is subtracted first.
+-- Lua method p:depth(), p:depth(reference) or p:depth{ reference=, level=, scar= }: returns the depths below
+-- a line or circle fitted beside the scar. A reference trace is subtracted first.
 function methods:depth(given)
   local where = "profile:depth"
   profile.self(where, self)
@@ -53,8 +54,8 @@ end
 
 local volume_fields = { scar = profile.range, length = check.positive }
 
--- Piled-up material is integrated over this fraction of the scar's width on each side of the scar. It
--- equals scar.margin; the form is fitted outside this margin.
+-- Piled-up material is integrated on each side of the scar, over this fraction of the scar's width. The value
+-- equals scar.margin, because the line or circle is fitted outside this margin.
 local piled_share = 0.2
 
 local function dot(weights, values)
@@ -63,8 +64,8 @@ local function dot(weights, values)
   return sum
 end
 
--- Returns a profile of depths and the positions of both ends of its scar. Heights are levelled beside the
--- scar; depths are levelled again only if options.scar is "auto".
+-- Returns a profile of depths and the positions of both ends of its scar. Heights are levelled by a fit
+-- beside the scar; depths are levelled again only if options.scar is "auto".
 local function scar_of(p, options)
   if p.h and options.scar ~= "auto" then
     local at = options.scar or p.scar and { p.scar.from, p.scar.to } or { p.x[1], p.x[#p.x] }
@@ -78,8 +79,8 @@ local function scar_of(p, options)
   return depths, depths.scar.from, depths.scar.to
 end
 
--- Returns two standard errors of the weighted sum of the depths: the first from the scatter within the
--- scar, the second from the fitted line or circle. width: width of the scar [mm].
+-- Returns two standard errors of the weighted sum of the depths: one from the scatter within the scar, the
+-- other from the fitted line or circle. width: width of the scar [mm].
 local function errors_of(p, weights, width)
   local deviation = p.scatter and p.scatter.deviation or p.error
   local length = p.scatter and p.scatter.length or p.correlation
@@ -88,8 +89,8 @@ local function errors_of(p, weights, width)
   return deviation * math.sqrt(length * width), deviation * math.sqrt(level)
 end
 
--- Returns the largest depth of a scar [mm]. The depths are averaged over a fiftieth of the scar's width,
--- but at least over one step.
+-- Returns the largest depth of a scar [mm]. To reduce noise, depths are averaged over cells of a fiftieth of
+-- the scar's width, or of one step if that is longer.
 local function deepest(p, from, to)
   local cell = math.max((to - from) / 50, profile.step(p))
   local part = p:cut(from, to)
@@ -98,8 +99,8 @@ local function deepest(p, from, to)
   return math.max(table.unpack(h, 1, math.min(#h, 200)))
 end
 
--- p:volume{ scar=, length= } returns the area, volume and depth of the scar, and the errors of area and
--- volume.
+-- Lua method p:volume{ scar=, length= }: returns the area, volume and depth of the scar, and the standard
+-- errors of area and volume.
 function methods:volume(given)
   local where = "profile:volume"
   profile.self(where, self)
@@ -122,7 +123,7 @@ local roughness_fields = { short = check.positive, sections = check.whole(1, 100
   "a number > 0 in mm, or false for the whole profile (P-parameters)", function(v)
     return v == false or check.positive.test(v)
   end) }
-local usual_cutoff, usual_sections = 0.8, 5 -- cut-off [mm] and number of sections of ISO 21920-3 for usual roughness
+local usual_cutoff, usual_sections = 0.8, 5 -- defaults: cut-off [mm] and number of sections (ISO 21920-3)
 
 local function without_line(x, z)
   local line, rest = form.fit("line", x, z), {}
@@ -130,8 +131,8 @@ local function without_line(x, z)
   return rest
 end
 
--- Returns the number of points in a sampling length, and the number of sampling lengths. Half a cut-off is
--- excluded at each end of the trace.
+-- Returns the number of points in a sampling length, and the number of sampling lengths. Half a cut-off at
+-- each end of the trace is excluded.
 local function section_counts(where, p, step, cutoff, wanted)
   local size = math.floor(cutoff / step + 0.5)
   local there = (#p.x - 2 * math.ceil(cutoff / step / 2)) // size
@@ -147,7 +148,7 @@ local function middle_part(z, count)
   return table.move(z, first + 1, first + count, 1, {})
 end
 
--- p:roughness{ cutoff=, short=, sections= } returns the roughness parameters of the profile.
+-- Lua method p:roughness{ cutoff=, short=, sections= }: returns the roughness parameters of the profile.
 function methods:roughness(given)
   local where = "profile:roughness"
   profile.self(where, self)
@@ -174,9 +175,9 @@ end
 
 -- --- initial surface of a run --------------------------------------------------------------------------
 
--- Returns the list of initial depths [mm] of a run. Heights are converted to depths below the highest
--- point. If the profile has depths, negative depths up to 5 times the scatter become 0; larger negative
--- depths (piled-up material) are an error.
+-- Returns the list of initial depths [mm] of a run. Heights are converted to depths below the highest point.
+-- In a profile of depths, negative values up to 5 times the scatter become 0; larger negative values
+-- (piled-up material) are an error.
 local function start_of(p)
   local h, top = {}, -math.huge
   if p.z then
@@ -196,9 +197,9 @@ local function start_of(p)
   return h
 end
 
-local clear = 5 -- smallest tilt that is reported, as difference between both ends in multiples of the scatter
+local clear = 5 -- smallest difference between both ends that is reported as a tilt, in multiples of the scatter
 
--- Warns if a trace that was not levelled is clearly tilted, since the tilt may come from the instrument.
+-- Warns if a trace that was not levelled is clearly tilted, since the instrument may have caused the tilt.
 local function warn_of_tilt(p)
   local line = p.z and not p.form and scar.find(p.x, p.z, "line")
   if not line then return end
@@ -210,7 +211,7 @@ local function warn_of_tilt(p)
   end
 end
 
--- Returns the initial depths { x=, h= } of a run with worn = { plate = p }.
+-- Returns the initial depths { x=, h= } of a run for which the user sets worn = { plate = p }.
 function profile.class.__worn(p)
   warn_of_tilt(p)
   return { x = p.x, h = start_of(p) }

@@ -1,7 +1,7 @@
--- Discrete Fourier transform of 2^m complex numbers in place. The real and the imaginary parts are two
+-- Computes the discrete Fourier transform of 2^m complex numbers in place. Real and imaginary parts are two
 -- lists.
 
--- Reorders the numbers by bit reversal of their indices.
+-- Reorders the numbers: the bits of each index are reversed.
 local function reorder(re, im, count)
   local j = 0
   for i = 0, count - 2 do
@@ -15,8 +15,8 @@ local function reorder(re, im, count)
   end
 end
 
--- Returns the cosines and sines of sign 2 pi k / count for k = 0 to count/2 - 1. Each is computed
--- directly, so that rounding errors do not accumulate.
+-- Returns the cosines and sines of the angles sign 2 pi k / count for k = 0 to count/2 - 1. Each value is
+-- computed directly, so that rounding errors do not accumulate.
 local function twiddles(count, sign)
   local c, s = {}, {}
   for i = 1, count // 2 do
@@ -26,8 +26,8 @@ local function twiddles(count, sign)
   return c, s
 end
 
--- Replaces the numbers by their transform: number k is the sum over j of (re + i im)[j] exp(sign 2 pi i j k
--- / count). sign: 1 or -1. Two transforms with opposite signs give count times the input.
+-- Replaces the numbers by their transform: number k becomes the sum over j of (re + i im)[j] exp(sign 2 pi i
+-- j k / count). sign: 1 or -1. Two transforms with opposite signs multiply the input by count.
 return function(re, im, sign)
   local count = #re
   local cosines, sines = twiddles(count, sign)

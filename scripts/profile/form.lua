@@ -1,22 +1,22 @@
--- Fits a line or a circle to heights by least squares of the vertical distances, with standard errors. The
--- parameters of the circle are a height, a slope and a curvature, which also describe almost straight
--- traces.
+-- Fits a line or a circle (the form of the surface) to heights by least squares of the vertical distances,
+-- with standard errors. A circle is described by a height, a slope and a curvature, which suits almost
+-- straight traces too.
 
 local solve = require "archard.lib.linear"
 local strict = require "archard.strict"
 
 local form = { kinds = { "line", "circle" } }
-local shape = {} -- methods of a form
+local shape = {} -- methods of a fitted form
 local class = { __name = "form", __methods = shape, __fields = {} }
 
--- Functions that return the height of a form at u and its derivatives with respect to the parameters p.
--- Lengths are in units of half the trace's length; u is measured from the middle of the trace.
+-- Functions that return the height of a form at position u, followed by its derivatives with respect to the
+-- parameters p. Lengths are in units of half the trace's length; u is measured from the middle of the trace.
 local models = {}
 
 function models.line(u, p) return p[1] + p[2] * u, 1, u end
 
--- Returns the height of a circle at u and its derivatives with respect to p. p: height and sine of the
--- slope at u = 0, curvature. Returns nil outside the circle.
+-- Returns the height of a circle at u and its derivatives with respect to the parameters p: height at u = 0,
+-- sine of the slope at u = 0, and curvature. Returns nil if u is outside the circle.
 function models.circle(u, p)
   local t, k = p[2], p[3]
   local q = t + k * u
@@ -27,8 +27,8 @@ function models.circle(u, p)
     u * u / sum + rise * q * u / d / sum ^ 2
 end
 
--- Returns J'J, J'r and r'r as sums over the points, and the number of points; r are the residuals and J the
--- derivatives of the form. Returns nil if a point is outside the form.
+-- Returns the sums J'J, J'r and r'r over the points for the normal equations, and the number of points. r:
+-- residuals; J: derivatives of the form. Returns nil if a point is outside the circle.
 local function normal(self, x, z, is_used)
   local a11, a12, a13, a22, a23, a33, b1, b2, b3, rr, count = 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
   local model, p, middle, half = models[self.kind], self.p, self.middle, self.half
@@ -47,8 +47,8 @@ local function normal(self, x, z, is_used)
   return { { a11, a12, a13 }, { a12, a22, a23 }, { a13, a23, a33 } }, { { b1 }, { b2 }, { b3 } }, rr, count
 end
 
--- Makes one Gauss-Newton step. The step is halved until all points are inside the form and the residual does not
--- increase. Returns the new sums, in the form of normal(), and the size of the step, or nil on failure.
+-- Makes one Gauss-Newton step. The step is halved until all points are inside the circle and the residual
+-- does not increase. Returns J'J, J'r and r'r after the step, and the size of the step, or nil on failure.
 local function advance(self, x, z, is_used, a, b, rr)
   local step, old = solve(a, b, 1e-280), self.p
   if not step then return nil end
@@ -76,14 +76,14 @@ local function identity(n)
   return rows
 end
 
--- Fits a form ("line" or "circle") to the points with is_used(x), or to all points. Returns the form, or
--- nil if the points do not determine it.
+-- Fits a form ("line" or "circle") to the points for which is_used(x) is true, or to all points without
+-- is_used. Returns the form, or nil if the points do not determine it.
 function form.fit(kind, x, z, is_used)
   local self = setmetatable({ kind = kind, middle = (x[1] + x[#x]) / 2, half = (x[#x] - x[1]) / 2,
     p = kind == "line" and { 0, 0 } or { 0, 0, 0 } }, class)
   local a, b, rr, count = normal(self, x, z, is_used)
   if count <= #self.p then return nil end
-  self.p[1] = b[1][1] / count -- start with the mean, which avoids loss of digits for large heights
+  self.p[1] = b[1][1] / count -- starting at the mean avoids loss of digits for large heights
   a, b, rr = normal(self, x, z, is_used)
   for _ = 1, 50 do
     local size
@@ -98,19 +98,19 @@ function form.fit(kind, x, z, is_used)
   return self.inverse and self or nil
 end
 
--- Returns the height of the form at x [mm], or nil outside a circle.
+-- Returns the height of the form at x [mm], or nil if x is outside the circle.
 function shape:height(x)
   local value = models[self.kind]((x - self.middle) / self.half, self.p)
   return value and value * self.half
 end
 
--- Returns the curvature [1/mm], which is <= 0 on a convex body.
+-- Returns the curvature [1/mm], which is negative for a convex body and 0 for a line.
 function shape:curvature() return (self.p[3] or 0) / self.half end
 -- Returns the radius [mm], which is infinite for a line.
 function shape:radius() return 1 / math.abs(self:curvature()) end
 
--- Returns the variance of the sum of weights[i] * height(x[i]), if the fitted heights are independent with
--- a variance of 1.
+-- Returns the variance of the sum of weights[i] * height(x[i]). The fitted heights are assumed to be
+-- independent with a variance of 1.
 function shape:variance(x, weights)
   local g = {}
   for c = 1, #self.p do g[c] = 0 end

@@ -1,18 +1,18 @@
--- The Gaussian filter for profiles (ISO 16610-21). The weights exp(-pi (x / (alpha cutoff))^2) reduce a
--- wave with the length of the cut-off to half its amplitude.
+-- Gaussian filter for profiles (ISO 16610-21) with the weights exp(-pi (x / (alpha cutoff))^2). Alpha is
+-- chosen such that a wave with the length of the cut-off is reduced to half its amplitude.
 --
--- Near the ends of a trace, a part of the weights is outside it. There, a line is fitted with the remaining
--- weights, and its value is used (moments of order 0 and 1 are preserved, ISO 16610-28). Far from the ends
--- this is the filter of ISO 16610-21. A straight line is unchanged everywhere.
+-- Near the ends of a trace, some of the weights lie outside it. There, a line is fitted with the remaining
+-- weights, and the value of the line is used (ISO 16610-28: moments of order 0 and 1 are preserved). A
+-- straight line is unchanged everywhere.
 
 local fft = require "archard.profile.fft"
 
 local gaussian = { alpha = math.sqrt(math.log(2) / math.pi) }
 
-local reach = 2 -- range of the weights in cut-offs; weights beyond it are below 1e-24 of the central weight
+local reach = 2 -- range of the weights in cut-offs; weights outside are below 1e-24 of the central weight
 
--- Returns three lists of one-sided sums over the weights w at 0, 1, 2, ... steps: sums of w, w u and w u^2
--- with u = x / (alpha cutoff). ratio: alpha cutoff / step.
+-- Returns one-sided sums over the weights w at 0, 1, 2, ... steps as three lists: sums of w, of w u and of w
+-- u^2, with u = x / (alpha cutoff). ratio: alpha cutoff / step.
 local function one_sided(ratio, count)
   local s0, s1, s2 = { [0] = 1 / ratio }, { [0] = 0 }, { [0] = 0 }
   for i = 1, count do
@@ -23,8 +23,8 @@ local function one_sided(ratio, count)
   return s0, s1, s2
 end
 
--- Returns the Fourier transform of w (1 + i u), sampled in steps, at the frequency f [1/step]. The
--- transform is real. Aliases larger than 1e-15 are included.
+-- Returns the Fourier transform of the sampled weights w (1 + i u) at the frequency f [1/step]. The transform
+-- is real. Aliases larger than 1e-15 are included.
 local function response(f, ratio)
   local sum, repeats = 0, ratio < 3 and 3 or 1
   for shift = -repeats, repeats do
@@ -34,7 +34,7 @@ local function response(f, ratio)
   return sum
 end
 
--- Returns two lists: the sums of w z and of w u z around each point. u is positive towards smaller x.
+-- Returns two lists: the sums of w z and of w u z around each point. u increases towards smaller x.
 local function weighted(z, ratio, steps)
   local count, re, im = 1, {}, {}
   while count < #z + steps do count = 2 * count end
@@ -49,7 +49,7 @@ local function weighted(z, ratio, steps)
   return re, im
 end
 
--- Returns the long-wave part of heights at even steps. It is computed by two Fourier transforms.
+-- Returns the long-wave part of heights at even steps, computed by two Fourier transforms.
 function gaussian.long(z, step, cutoff)
   local count, ratio = #z, gaussian.alpha * cutoff / step
   local steps = math.ceil(reach * cutoff / step)
@@ -64,9 +64,9 @@ function gaussian.long(z, step, cutoff)
   return result
 end
 
--- Computes the effect of the filter on noise. Returns the fractions of the noise variance in the long and
--- in the short waves, and the correlation length of the long waves. length: correlation length before the
--- filter, which is one step for white noise.
+-- Computes the effect of the filter on noise. Returns the fractions of the noise variance that remain in the
+-- long and in the short waves, and the correlation length of the long waves. length: correlation length
+-- before the filter (one step for white noise).
 function gaussian.noise(length, is_white, cutoff)
   local own = math.sqrt(2) * gaussian.alpha * cutoff
   local squares = { is_white and 0 or length ^ 2, own ^ 2 }

@@ -1,5 +1,5 @@
--- profile{ x=, z= } and profile.read make measured traces, which serve as the initial surface of a run or
--- for comparison. This module only lists the public functions of profile/made.lua.
+-- Lua functions profile{ x=, z= } and profile.read: make profiles from measured traces, as the initial
+-- surface of a run or for comparison. This module only lists the public functions of profile/made.lua.
 
 local lazy = require "archard.lib.lazy"
 

@@ -1,5 +1,5 @@
--- profile{ x=, z= } and profile.read check the user's fields, convert lengths to mm and make a profile
--- (class.lua, evaluate.lua).
+-- Lua functions profile{ x=, z= } and profile.read: check the user's fields, convert lengths to mm and make a
+-- profile (class.lua, evaluate.lua).
 
 local check = require "archard.lib.check"
 local csv = require "archard.lib.csv"
@@ -24,7 +24,7 @@ end
 
 local fields = with{ x = check.list, z = check.list, y = check.list, h = check.list }
 
--- Returns the name of the values, "z" for heights or "h" for depths.
+-- Returns the name of the field with the values: "z" for heights or "h" for depths.
 local function one_of_both(where, given)
   if (given.z == nil) == (given.h == nil) then
     check.fail(where, ("fields 'z' and 'h': expected one of them, got %s"):format(given.z and "both" or "none"))
@@ -32,8 +32,8 @@ local function one_of_both(where, given)
   return given.z and "z" or "h"
 end
 
--- Levels and filters a profile as the user's fields require. Levelling is the first step, since the filter
--- does not change a line, and changes a circle little, mostly at the ends.
+-- Levels and filters a profile as required by the user's fields. Levelling comes before filtering: the filter
+-- does not change a line, and changes a circle only slightly, mostly at the ends.
 local function treated(where, p, given)
   if given.scar and not given.level then
     check.fail(where, "field 'scar': only allowed with level, which is fitted outside the scar")
@@ -86,7 +86,8 @@ local function usual_name(columns, name)
   for _, word in ipairs(usual[name]) do if columns[word] then return word end end
 end
 
--- Returns the values of a column in mm. A unit in the header has priority over the unit given by the user.
+-- Returns the values of a column in mm. A unit in the header of the file has priority over a unit given by
+-- the user.
 local function in_mm(where, path, read, name, wanted, given)
   local found = math.type(wanted) == "integer" and read.order[wanted] or wanted
   local values = found and read.columns[found]

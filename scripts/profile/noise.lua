@@ -8,17 +8,17 @@ local function median(list)
   return #list % 2 == 1 and list[middle + 1] or (list[middle] + list[middle + 1]) / 2
 end
 
--- Returns a robust standard deviation of a list of numbers. It is computed from the median absolute
--- deviation, so that outliers have little effect. The list is overwritten.
+-- Returns a robust standard deviation of a list of numbers, computed from the median absolute deviation.
+-- Outliers have little effect. The list is overwritten.
 function noise.robust(list)
   local middle = median(list)
   for i = 1, #list do list[i] = math.abs(list[i] - middle) end
   return 1.482602218505602 * median(list)
 end
 
--- Returns the standard deviation of white noise. It is computed from the distance of each point from the
--- line between its two neighbours. The median of these distances is not sensitive to the curvature of the
--- form. In a long trace, only about 20000 points are used, which is sufficient for an accuracy of 1 %.
+-- Returns the standard deviation of white noise in a trace. It is computed from the median distance of a
+-- point from the line between its two neighbours, which is insensitive to the curvature of the surface. In a
+-- long trace only about 20000 points are used, which suffices for an accuracy of 1 %.
 function noise.estimate(x, z)
   local offs, stride = {}, math.max(1, (#x - 2) // 20000)
   for i = 2, #x - 1, stride do
@@ -35,9 +35,9 @@ local function covariance(list, lag, mean)
   return sum / (#list - lag)
 end
 
--- Returns the integral of the autocorrelation as a number of points, which is 1 for independent points. The sum ends
--- where the correlation is no longer significant. Each lag is larger than the previous one by a quarter, which limits
--- the cost for long traces.
+-- Returns the integral of the autocorrelation as a number of points (1 for independent points). The sum ends
+-- where the correlation is no longer significant. Each lag is longer than the previous one by about a
+-- quarter, which limits the computing time for long traces.
 function noise.length(list)
   local mean = 0
   for i = 1, #list do mean = mean + list[i] / #list end

@@ -1,5 +1,5 @@
--- Computes profile parameters by ISO 21920-2 (with the names of ISO 4287) from heights about their mean
--- line at even steps.
+-- Computes the profile parameters of ISO 21920-2, with the names of ISO 4287. The heights must have even
+-- steps.
 
 local roughness = {}
 
@@ -17,7 +17,7 @@ local function extremes(z, first, last)
   return low, high
 end
 
--- Returns Rp and Rv: the largest peak height and the largest valley depth of each section, averaged over
+-- Returns Rp and Rv: the largest peak height and the largest valley depth of a section, each averaged over
 -- the sections.
 local function sections(z, size, count)
   local p, v = 0, 0
@@ -28,8 +28,9 @@ local function sections(z, size, count)
   return p, v
 end
 
--- Returns the mean width of the profile elements, or nil for fewer than two crossings. An element is
--- between two upward crossings of the mean line; it has a valley and a hill beyond a tenth of Rz.
+-- Returns the mean width of the profile elements, or nil if there are fewer than two crossings. An element
+-- lies between two upward crossings of the mean line and contains a valley and a hill of more than a tenth of
+-- Rz.
 local function width(z, step, height)
   local limit, state, crossing, first, last, count = height / 10, nil, nil, nil, nil, -1
   for i = 2, #z do
@@ -43,7 +44,7 @@ local function width(z, step, height)
   return count > 0 and (last - first) / count or nil
 end
 
--- Returns the root mean square slope of the heights, by the formula for seven points.
+-- Returns the root mean square slope of the heights, computed by a seven-point formula.
 local function slope(z, step)
   local sum = 0
   for i = 4, #z - 3 do
@@ -53,8 +54,9 @@ local function slope(z, step)
   return math.sqrt(sum / (#z - 6))
 end
 
--- Returns the parameters Ra, Rq, ... by name, with lengths in mm. z: heights [mm]; step: [mm]; size: number
--- of points of a section; count: number of sections; letter: "R" or "P", for the names.
+-- Returns the parameters Ra, Rq, ... in a table by name, with lengths in mm. z: heights [mm]; step: distance
+-- of the points [mm]; size: points per section; count: number of sections; letter: "R" or "P", the first
+-- letter of the names.
 function roughness.of(z, step, size, count, letter)
   local middle = mean_power(z, 1, 0)
   local heights, a = {}, 0

@@ -1,18 +1,18 @@
--- Finds the scar of a trace, fits the form of the unworn part, and computes the weights of the points for
--- the scar's area.
+-- Detects the wear scar in a trace, fits a line or circle (the form) to the unworn part, and computes weights
+-- for the scar's area.
 
 local form = require "archard.profile.form"
 local noise = require "archard.profile.noise"
 
 local scar = {}
 
-local ends = 0.15   -- fraction of the trace at each end that is assumed unworn at first
-scar.margin = 0.2   -- margin on each side as a fraction of the scar's width; material may be piled up there
+local ends = 0.15   -- fraction of the trace at each end that is assumed to be unworn at first
+scar.margin = 0.2   -- margin on each side as a fraction of the scar's width; it may contain piled-up material
 local least = 0.05  -- fraction of the trace at each end that is always treated as unworn
 local clear = 5     -- smallest depth of a scar, in multiples of the scatter
 local blocks = 500  -- largest number of groups of points in the search for a scar
 
--- Divides the points into at most `blocks` groups of neighbours. Returns the means of x and z of each
+-- Divides the points into at most `blocks` groups of neighbours. Returns the mean x and the mean z of each
 -- group.
 local function blocked(x, z)
   local size = math.max(1, math.ceil(#x / blocks))
@@ -29,16 +29,16 @@ local function outside(from, to)
   return function(x) return x < from or x > to end
 end
 
--- Returns a function is_used(x) that is true for the unworn part: outside the scar and its margins, but
--- always at the ends of the trace.
+-- Returns a function is_used(x) that is true in the unworn part, which is the trace outside the scar and its
+-- margins. The ends of the trace always belong to the unworn part.
 local function beside(x, from, to)
   local side, end_part = scar.margin * (to - from), least * (x[#x] - x[1])
   return outside(math.min(from, math.max(from - side, x[1] + end_part)),
     math.max(to, math.min(to + side, x[#x] - end_part)))
 end
 
--- Returns the positions of both ends of the scar: the first blocks on both sides of the deepest block that
--- are not below the form. Returns nil if the deepest block is not deeper than the threshold.
+-- Returns the positions of both ends of the scar, or nil if the deepest point is not below the threshold. The
+-- ends are the first points on both sides of the deepest point that are not below the form.
 local function reach(x, depth, threshold)
   local deepest = 1
   for i = 2, #x do if depth[i] > depth[deepest] then deepest = i end end
@@ -59,9 +59,9 @@ local function depths_below(found, x, z)
   return depth
 end
 
--- Finds the scar of a trace. Returns the form of the unworn part, both ends of the scar, and is_used(x),
--- which is true for the unworn part. The ends are nil if no scar is found. The form is nil if the points do
--- not determine it.
+-- Detects the scar of a trace. Returns the form of the unworn part (nil if the points do not determine it),
+-- both ends of the scar (nil if no scar is detected), and is_used(x), a function that is true in the unworn
+-- part.
 function scar.find(x, z, kind)
   local bx, bz = blocked(x, z)
   local whole = x[#x] - x[1]
@@ -82,13 +82,13 @@ function scar.find(x, z, kind)
   return form.fit(kind, x, z, from and is_used), from, to, from and is_used
 end
 
--- Fits the form beside a scar with known ends. Returns the same values as scar.find.
+-- Fits the form beside a scar whose ends are known. Returns the same values as scar.find.
 function scar.fit(x, z, kind, from, to)
   local is_used = beside(x, from, to)
   return form.fit(kind, x, z, is_used), from, to, is_used
 end
 
--- Returns the standard deviation and the correlation length [mm] of the unworn part about its form.
+-- Returns the standard deviation [mm] and the correlation length [mm] of the depths of the unworn part.
 function scar.scatter(x, depth, is_used)
   local list, sum = {}, 0
   for i = 1, #x do
@@ -100,7 +100,8 @@ function scar.scatter(x, depth, is_used)
   return math.sqrt(sum / #list), noise.length(list) * (x[#x] - x[1]) / (#x - 1)
 end
 
--- Returns the weight of each point for an area: the length [mm] of its cell between `from` and `to`.
+-- Returns the weight of each point in an integral over x: the length [mm] of the point's cell between `from`
+-- and `to`.
 function scar.weights(x, from, to)
   local weights = {}
   for i = 1, #x do

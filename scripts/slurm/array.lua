@@ -1,6 +1,6 @@
--- Runs the shares of a study as a Slurm job array with sbatch and squeue. Every engine of study/submit.lua
--- has this interface:
---   program               program that must be in PATH
+-- Runs the shares of a study as a Slurm job array with sbatch and squeue. All engines of study/submit.lua
+-- have this interface:
+--   program               name of a program that must be in PATH
 --   start(job)            starts the shares; returns the name of the job, or nil and the reason
 --   is_name(text)         true if a job can have this name
 --   state(job)            states of the shares as text; nil if all have ended; false and the reason
@@ -12,8 +12,8 @@ local array = { program = "sbatch" }
 
 function array.is_name(text) return text:find "^%d+;?[%w_-]*$" ~= nil end
 
--- Slurm replaces % in --output. If the path contains a backslash, Slurm replaces nothing, so such paths are
--- refused.
+-- Starts the job. In --output, Slurm replaces % sequences, so each % is doubled. If the path contains a
+-- backslash, Slurm replaces nothing, so such paths are refused.
 function array.start(job)
   if job.folder:find("\\", 1, true) then return nil, "Slurm writes no logs to a folder with a backslash in its name" end
   local log = ("%s/%%a-of-%d.log"):format(job.folder:gsub("%%", "%%%%"), job.shares)
@@ -34,8 +34,8 @@ local function ask(name)
   return shell.ask(shell.line(words))
 end
 
--- Counts the shares by state, from one line for each share. Returns a text such as "2 running, 6 pending", or
--- nil if no line contains a state.
+-- Counts the shares by state. `lines` has one line for each share. Returns a text such as "2 running, 6
+-- pending", or nil if no line contains a state.
 local function count(lines)
   local states, order = {}, {}
   for state in lines:gmatch("%f[^%z\n](%u[%u_]+)%s*%f[%z\n]") do
@@ -46,8 +46,8 @@ local function count(lines)
   return order[1] and table.concat(order, ", ")
 end
 
--- Returns the states of the array tasks of a job, each of which computes a share of the cases. Returns nil if
--- all have ended or if Slurm no longer has a record of the job.
+-- Returns the number of shares in each state as text. Returns nil if all shares have ended or Slurm no longer
+-- has a record of the job, and false and the reason if the query failed.
 function array.state(job)
   local said, fine = ask(job.name)
   if not fine then

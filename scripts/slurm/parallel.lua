@@ -1,4 +1,4 @@
--- Runs the shares of a study with GNU parallel, on this machine or, with --sshlogin in the options, on
+-- Runs the shares of a study with GNU parallel: on this machine or, with --sshlogin in the options, on
 -- several machines with a common file system. slurm/array.lua describes the interface.
 
 local shell = require "archard.lib.shell"
@@ -8,12 +8,11 @@ local parallel = { program = "parallel" }
 
 function parallel.is_name(text) return text:find "^%d+$" ~= nil end
 
--- Quotes a path for a command of GNU parallel. GNU parallel replaces {}, {#} and {= Perl =}, and also \xAF<,
--- which it converts to the last form. An empty string after the first character prevents the replacement.
+-- Quotes a path for a command of GNU parallel, which replaces {}, {#} and {= Perl =}, and also \xAF<, a
+-- synonym of {=. An empty string after the first character prevents the replacement.
 local function literal(path) return (shell.quote(path):gsub("[{\xAF]", "%0''")) end
 
--- Starts the job in a new session. The job then continues after this program ends, and Ctrl-C does not reach
--- it.
+-- Starts the job in a new session, so that it continues after this program ends and Ctrl-C does not stop it.
 function parallel.start(job)
   local words = { "setsid", "parallel" }
   table.move(job.options, 1, #job.options, 3, words)
@@ -26,9 +25,9 @@ function parallel.start(job)
   return said
 end
 
--- Returns "running" if the job has not ended, else nil. The command line of the process is checked, because its
--- process id may have been reused by another process. The command line is empty for a moment while one program
--- replaces another, and after the end of the process.
+-- Returns "running" if the job has not ended, else nil. The command line of the process is checked, because
+-- another process may have the same process id by then. While one program replaces another, and after the end
+-- of the process, the command line is briefly empty.
 function parallel.state(job)
   local status = text_file.read(("/proc/%s/status"):format(job.name))
   local words = text_file.read(("/proc/%s/cmdline"):format(job.name))

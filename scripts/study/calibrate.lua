@@ -1,5 +1,5 @@
--- Computes k and alpha from measured wear. Measured volumes determine both directly (Eqs. 1, 12): as
--- numbers with the spread of repeated measurements, or as tables over the sliding distance
+-- Lua function calibrate: computes k and alpha from measured wear. Measured volumes determine both directly
+-- (Eqs. 1, 12), as numbers with the spread of repeated measurements or as tables over the sliding distance
 -- (study/volumes.lua). Measured depths need repeated simulations (study/depths.lua).
 
 local check = require "archard.lib.check"
@@ -21,7 +21,7 @@ local fields = { volume = pair, depth = pair, load = check.positive, accuracy = 
   distance = check.kind("a number > 0 or a list of increasing numbers", function(v)
     return check.positive.test(v) or distances.test(v)
   end) }
--- With measured depths the fields of wear{} are accepted too, except alpha, loading and worn.
+-- Calibration with measured depths also accepts the fields of wear{}, except alpha, loading and worn.
 for _, setting in ipairs(require "archard.settings".wear) do
   fields[setting.name] = fields[setting.name] or check.any "a field of wear{}"
 end
@@ -42,8 +42,8 @@ local function measurements(name, given)
   return list
 end
 
--- Reads the measurements of both bodies as two lists, in which values with the same index belong to the same
--- test. A single 0 instead of a list means that the wear of a body was too small to measure in every test.
+-- Reads the measurements of both bodies as two lists. Values with the same index belong to the same test. A
+-- single 0 instead of a list means that the wear of this body was too small to measure in all tests.
 local function read_pair(name, given)
   check.fields(where, given, { cylinder = check.any "numbers", plate = check.any "numbers" },
     name .. ".")
@@ -64,7 +64,7 @@ local function filled(count, value)
   return list
 end
 
--- Expands the shorter of two lists, which has a single value, to the length of the other list.
+-- Repeats the value of a list with a single value, so that both lists have equal lengths.
 local function even(cylinder, plate)
   local count = math.max(#cylinder, #plate)
   if #cylinder < count then cylinder = filled(count, cylinder[1]) end
@@ -91,7 +91,7 @@ end
 
 -- --- from volumes at several distances -------------------------------------------------------------
 
--- Returns the volumes of one body as a list of tests; each test is a list with one volume per distance.
+-- Returns the volumes of one body as a list of tests. Each test is a list with one volume for each distance.
 local function read_tests(name, given, count)
   if given == 0 then return { filled(count, 0) } end
   local tests = type(given) == "table" and type(given[1]) == "table" and given or { given }
@@ -154,7 +154,8 @@ end
 
 local not_of_wear = { volume = true, depth = true, accuracy = true, confidence = true, error = true }
 
--- Raises an error if the load or the sliding distance of the test is missing: measured depths need both.
+-- Raises an error if the load or the sliding distance of the test is missing. Calibration with measured
+-- depths needs both.
 local function need_test(given)
   if given.load and (given.distance or given.cycles) then return end
   check.fail(where, "with measured depths, give the fields 'load' [N] and 'distance' [mm] (or 'cycles') of the test")
@@ -187,8 +188,7 @@ local class = strict.class{ __name = "calibration", __fields = { "k", "alpha", "
   "depth_partition", "spread", "low", "high", "confidence", "measurements", "points", "band", "mean",
   "simulated_depth", "measured_depth", "conditions", "runs" } }
 
--- Returns a text line with the value of a quantity and, if they are known, its spread and its confidence
--- range.
+-- Returns a line of text with the value of a quantity and, if known, its spread and its confidence range.
 local function number_line(self, name, format, text)
   local value, spread = self[name], self.spread[name]
   local low, high = (self.low or {})[name], (self.high or {})[name]
@@ -208,7 +208,7 @@ local function add_numbers(lines, self)
   end
 end
 
--- Adds to `lines` the table of k and alpha over the sliding distance, with one line for each interval.
+-- Adds the table of k and alpha over the sliding distance to `lines`, with one line for each interval.
 local function add_course(lines, self)
   lines[#lines + 1] = "  distance [mm]   k [mm2/N]                        alpha"
   local k, alpha = self.band.k, self.band.alpha
@@ -252,8 +252,9 @@ local function find(given)
   return type(given.distance) == "table" and from_courses(given) or from_volumes(given)
 end
 
--- calibrate{ volume={cylinder=,plate=}, load=, distance= } returns k, k_cylinder, k_plate, alpha. calibrate{
--- distance={...}, volume={cylinder={...},plate={...}}, load= } returns these quantities as tables over the distance.
+-- calibrate{ volume={cylinder=,plate=}, load=, distance= } returns k, k_cylinder, k_plate, alpha.
+-- calibrate{ distance={...}, volume={cylinder={...},plate={...}}, load= } returns these quantities as tables
+-- over the distance.
 -- calibrate{ depth={cylinder=,plate=}, load=, distance=, stroke=, ... fields of wear{} } returns k and alpha.
 return function(given)
   given = check.definition(where, given, fields)

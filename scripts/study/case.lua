@@ -1,5 +1,5 @@
--- A case of a study: its settings and, after it has run, its results, which are read from the run file on
--- first use. A case has the methods of a wear object that plots need.
+-- Class case: a case of a study with its settings and, after its run, its results, which are read from the
+-- run file on first use. A case has those methods of a wear object that plots need.
 
 local check = require "archard.lib.check"
 local joint_bodies = require "archard.joint.bodies"
@@ -31,14 +31,14 @@ function computed.results(self)
   return settings.nest(self.study:store():values(self.id, "results"))
 end
 
--- Returns the warning of the engine for this case, or nil if there is none.
+-- Returns the warning that the engine gave for this case, or nil if it gave none.
 function computed.warning(self)
   local text = self.study.file and self.study:store():values(self.id, "results").warning
   return text and check.plain(tostring(text))
 end
 
--- Returns the definition of a case's model, from which archard.measure reads the names of the bodies. For a
--- joint it returns the module archard.joint.bodies, so the joint need not be built.
+-- Returns the model's definition, from which archard.measure reads the names of the bodies. For a joint,
+-- returns the module archard.joint.bodies, so that the joint need not be made.
 function case.named(self)
   local model = self.definition.model
   return model and model.cup and joint_bodies or model
@@ -88,8 +88,8 @@ end
 
 local methods = {}
 
--- Returns the stored surface of a body at the last stored distance that is not beyond `distance` [mm].
--- Without `distance` it returns the final surface.
+-- Returns the surface of a body at the last stored distance up to `distance` [mm]. Without `distance`,
+-- returns the final surface.
 local function surface(self, where, body, distance)
   local names = measure.bodies(self.model)
   local called = rawequal(body, nil) and names.upper or naming.body(where, { model = { bodies = names } }, body)
@@ -132,30 +132,31 @@ function methods:distances()
   return list
 end
 
--- Returns the sum of both wear depths at each position, Eq. (31). `distance`: [mm], see surface().
+-- Returns the sum of both wear depths at each position, Eq. (31). distance: sliding distance [mm]; default:
+-- final.
 function methods:combined(distance)
   local where = "case:combined"
   return measure.combined(profile(self, where, "cylinder", distance), profile(self, where, "plate", distance))
 end
 
--- Returns the share of the cylinder in the sum of both depths, Eq. (30), at positions with wear.
+-- Returns the share of the cylinder in the sum of both depths, Eq. (30), at all positions with wear.
 function methods:local_partition(distance)
   local where = "case:local_partition"
   return measure.local_partition(profile(self, where, "cylinder", distance), profile(self, where, "plate", distance))
 end
 
--- Restores the run as a wear object, which can be continued.
+-- Restores the run of the case as a wear object. The run can be continued.
 function methods:wear() return joint_file.wear(self.study:store(), self.id) end
 
 -- --- the object ----------------------------------------------------------------------------------
 
--- Names of all fields and methods of a case, including fields that have no value.
+-- Names of all fields and methods of a case, including fields without a value.
 local own = { id = true, label = true, status = true, message = true, seconds = true, settings = true, study = true }
 local known = keys(merged(own, computed, measures, methods))
 for _, setting in ipairs(settable) do known[#known + 1] = setting.name end
 
--- Returns the value of a field. The given settings have priority over the stored definition, which also contains
--- defaults.
+-- Returns the value of a field. Settings given by the user have priority over the stored definition, which
+-- also contains defaults.
 function case.__index(self, name)
   local value = methods[name]
   if value ~= nil then return value end
@@ -191,7 +192,7 @@ function case.__tostring(self)
     last.volume_cylinder + last.volume_plate)
 end
 
--- Creates a case from a row of the run file and its nested settings.
+-- Makes a case. row: the row of the case in the run file; given: the nested settings of the case.
 function case.new(study, row, given)
   row.study, row.settings = study, given
   return setmetatable(row, case)

@@ -1,6 +1,6 @@
--- study.converge: searches for the element size, the cycles per update and the increments per cycle that a
--- model needs. A single case is searched in this process; several cases are run as a study with workers
--- (search.lua).
+-- Lua function study.converge: searches for the element size, the cycles per update and the increments per
+-- cycle that a model needs (study/search.lua). This process searches a single case; the workers of a study
+-- search several cases.
 
 local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
@@ -26,8 +26,8 @@ local function pick(given, fields)
   return picked
 end
 
--- Splits `given` into a table of plain fields and a table of functions, both by name. Functions are allowed only for a
--- single case, whose search uses no run file; a run file cannot contain functions.
+-- Splits `given` into two tables: fields that are functions, and all other fields. Functions are allowed only
+-- for a single case, because several cases are stored in a run file, which cannot contain functions.
 local function without_functions(given)
   local plain, functions = merged(given), {}
   for name, value in pairs(given) do
@@ -49,7 +49,7 @@ local function flat_cases(study, given)
 end
 
 -- Reads the arguments: a study object and options, or one table with the fields of both. Returns the flat
--- settings of the cases, the options and the name of the study.
+-- settings of all cases, the options and the name of the study.
 local function read(study, given, options)
   local metatable = type(given) == "table" and getmetatable(given)
   if metatable and metatable.__name == "study" then
@@ -118,7 +118,7 @@ local function number(format, value)
   return value and format:format(value) or "-"
 end
 
--- Returns true if value(item) never increases along a list.
+-- Returns true if value(item) does not increase from item to item of a list.
 local function falls(list, value)
   for i = 2, #list do
     if value(list[i]) > value(list[i - 1]) then return false end
@@ -144,7 +144,8 @@ local function mesh_lines(mesh)
   return table.concat(lines, "\n")
 end
 
--- Returns the jump as text, with "≥" in front if no larger jump was tried; see notes_of().
+-- Returns the jump as text. A "≥" in front means that no larger jump was tried; notes_of() explains the
+-- reason.
 local function shown_jump(found)
   return (found.capped and "≥" or "") .. number("%g", found.jump)
 end
@@ -172,8 +173,8 @@ end
 
 -- --- limits of the search --------------------------------------------------------------------------
 
--- Functions by the name of the bound in found.bound. Each returns the text that explains which bound excluded
--- a larger jump.
+-- Functions by the name of the bound (found.bound) that excluded larger jumps. Each returns a text about this
+-- bound.
 local bounds = {
   stability = function(found)
     return ("jump %g is the largest value tried below the stability limit of %.4g cycles"):format(found.jump,
@@ -206,7 +207,7 @@ local function add_notes(notes, label, found)
   if not falls(found.roughnesses, function(value) return value end) then
     add("among the jumps whose surfaces are too rough, a smaller jump was not always smoother: once ripples have "
       .. "split the contact, their size does not depend on the jump, and the roughness caused by the mesh appears "
-      .. "at other distances")
+      .. "at different distances in different runs")
   end
 end
 
@@ -220,15 +221,15 @@ end
 
 -- --- Table 1 of the paper --------------------------------------------------------------------------
 
--- Returns the row with this alpha and stroke, or nil if there is none.
+-- Returns the row with the given alpha and stroke, or nil if there is none.
 local function row_of(rows, alpha, stroke)
   for _, row in ipairs(rows) do
     if row.settings.alpha == alpha and row.settings.stroke == stroke then return row end
   end
 end
 
--- Returns Table 1 as rows of texts. Columns: alpha, then for each stroke the paper's jump, the computed jump
--- and the increments.
+-- Returns Table 1 of the paper as rows of strings. The columns are alpha and, for each stroke, the paper's
+-- jump, the computed jump and the computed increments.
 local function paper_rows(rows)
   local paper = require "archard.study.paper"
   local result = { { "α" } }
@@ -254,14 +255,14 @@ end
 local methods = {}
 local class = { __name = "convergence", __methods = methods, __fields = { "mesh", "cases" } }
 
--- Returns Table 1 of the paper beside the computed values, as rows of texts. Returns nil if the cases are not
--- the cases of the paper.
+-- Returns Table 1 of the paper beside the computed values, as rows of strings. Returns nil if the cases
+-- differ from those of the paper.
 function methods:table_1()
   if not row_of(self.cases, 0.5, 0.11) or #self.cases < 20 then return nil end
   return paper_rows(self.cases)
 end
 
--- Returns a list of texts about the cases whose search ended at a bound.
+-- Returns a list of texts about the limits that the searches reached and the roughness that they allowed.
 function methods:notes() return notes_of(self.cases) end
 
 function class.__tostring(self)
@@ -281,7 +282,7 @@ end
 
 strict.class(class)
 
--- Called as converge(study module, study object or table of fields, options). Returns { mesh=, cases= }.
+-- Arguments: the study module, a study object or a table of fields, and options. Returns { mesh=, cases= }.
 return function(study, given, options)
   local flat, read_options, name = read(study, given, options)
   for _, case in ipairs(flat) do refuse_loading(case) end

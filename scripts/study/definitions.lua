@@ -1,4 +1,5 @@
--- Writes the definitions of a study to its run file, and checks whether a run file belongs to the same study.
+-- Writes the definitions of a study to its run file, and checks that an existing run file belongs to the same
+-- study.
 
 local check = require "archard.lib.check"
 local design = require "archard.uncertainty.design"
@@ -8,7 +9,7 @@ local transaction = require "archard.study.transaction"
 
 local definitions = {}
 
--- Opens a run file. Errors are reported for `where`, the function that the user called.
+-- Opens a run file. Errors are reported as errors of `where`, the function that the user called.
 function definitions.open(where, path, mode)
   return check.as(where, require "archard.store".open, path, mode)
 end
@@ -35,7 +36,7 @@ local function other_study(where, store, what)
     :format(store.path, what), "ARGUMENT")
 end
 
--- Raises an error if the file does not contain the same study. A file with the same study can be continued.
+-- Raises an error if the file contains another study. A file with the same study can be continued.
 local function compare(where, self, store)
   local kind = store:info("kind")
   if kind ~= "study" then other_study(where, store, "its kind is " .. tostring(kind)) end
@@ -58,8 +59,8 @@ local function write_or_compare(where, self, store)
   if #store:cases() == 0 and not store:info("kind") then write(self, store) else compare(where, self, store) end
 end
 
--- Opens the run file of a study for writing: a new file, to which the definitions are written, or an existing
--- file of the same study.
+-- Opens the run file of a study for writing. A new file receives the definitions; an existing file must
+-- belong to the same study.
 function definitions.for_run(where, self, path)
   local store = definitions.open(where, path, "create")
   store:check()
@@ -69,8 +70,8 @@ end
 
 -- --- default file name ---------------------------------------------------------------------------
 
--- Returns the default file name without extension: the name of the study, else the name of the script, else
--- "study".
+-- Returns the default name of the run file without extension: the name of the study, else the name of the
+-- script, else "study".
 local function base_name(self)
   local script = type(arg) == "table" and type(arg[0]) == "string" and arg[0]:match "([^/]+)%.lua$"
   local name = self.named and self.name or script or "study"
@@ -85,8 +86,8 @@ local function is_free(where, self, path)
   end))
 end
 
--- Returns the default path of a study's run file: NAME.archard, or NAME-2.archard and so on if files with the
--- earlier names contain other data.
+-- Returns the default path of a study's run file: NAME.archard or, if this file contains other data,
+-- NAME-2.archard, and so on.
 function definitions.usual_path(where, self)
   local base = base_name(self)
   if base == "" then base = "study" end

@@ -1,6 +1,6 @@
--- Computes the k and alpha for which the simulated largest depths equal the measured depths. The search is
--- Broyden's method in the unknowns ln k and alpha. The targets are the sum of both depths and the share of
--- the cylinder in this sum.
+-- Computes k and alpha from measured largest depths. Simulations are repeated until the sum of both depths
+-- and the cylinder's share of this sum equal the measured values. The search uses Broyden's method with the
+-- unknowns ln k and alpha.
 
 local check = require "archard.lib.check"
 local run_counter = require "archard.lib.run_counter"
@@ -10,21 +10,22 @@ local depths = {}
 
 local where = "calibrate"
 local first_k = 1e-8        -- initial value of k in the search [mm2/N]
--- Limit of k [mm2/N], larger than for any sliding pair. A larger k means that the depths have another unit.
+-- Largest plausible k [mm2/N], above that of all sliding pairs. A larger k means that the depths are not in
+-- mm.
 local largest_k = 1e-5
-local most_runs, farthest = 40, 5 -- largest number of runs in one search; largest step of ln k
+local most_runs, farthest = 40, 5 -- largest number of runs in a search; largest step of ln k
 local agreement = 0.05      -- relative tolerance of the simulated sum of both depths if the user gives k
 
 -- --- one run ---------------------------------------------------------------------------------------
 
--- Returns the motion, load, bodies and materials of a run as text.
+-- Returns the conditions of a run as a list of texts: motion and load, bodies, materials.
 local function conditions(run)
   local text = tostring(run)
   return { text:match "^wear: ([^\n]*)", text:match "\n  bodies +([^\n]*)", text:match "\n  materials +([^\n]*)" }
 end
 
--- Simulates a run with k and alpha. Returns the sum of both depths [mm], the cylinder's share of this sum and the
--- conditions of the run.
+-- Simulates a run with the given k and alpha. Returns the sum of both depths [mm], the cylinder's share of
+-- this sum, and the conditions of the run.
 local function simulate(fields, k, alpha, counter)
   local of_run = { alpha = alpha, k = k }
   for name, value in pairs(fields) do of_run[name] = of_run[name] or value end
@@ -34,24 +35,24 @@ local function simulate(fields, k, alpha, counter)
   return run.depth.cylinder + run.depth.plate, run.depth_partition, conditions(run)
 end
 
--- Raises an error if the measured depths need an unrealistically large k, because their unit is then probably
--- not mm.
+-- Raises an error if the measured depths need an unrealistically large k, because the depths are then
+-- probably not in mm.
 local function check_unit(sum, simulated, k)
-  local needed = k * (sum / simulated) ^ 1.5 -- the volume of a scar is proportional to about h^1.5
+  local needed = k * (sum / simulated) ^ 1.5 -- the worn volume grows as about h^1.5
   if needed <= largest_k then return end
-  check.fail(where, ("field 'depth': their sum of %.4g mm would need a k of about %.1g mm2/N: expected "
+  check.fail(where, ("field 'depth': the sum of %.4g mm would need a k of about %.1g mm2/N: expected "
     .. "depths in mm (are they in um?)"):format(sum, needed))
 end
 
 -- --- the search ------------------------------------------------------------------------------------
 
--- Returns the initial inverse Jacobian of the two residuals, for depths that grow as k^(2/3) and a share
--- that grows as alpha. An unknown with a fixed value has a row and a column of zeros.
+-- Returns the initial inverse Jacobian of the two residuals. It assumes that depths grow as k^(2/3) and the
+-- share as alpha. The row and column of a fixed unknown are zero.
 local function begin_inverse(seeks)
   return { { seeks[1] and 1.5 or 0, 0 }, { 0, seeks[2] and 1 or 0 } }
 end
 
--- Applies Broyden's update to the inverse Jacobian `h`, for a step `dx` that changed the residuals by `df`.
+-- Applies Broyden's update to the inverse Jacobian `h`, after a step `dx` that changed the residuals by `df`.
 local function update(h, dx, df)
   local to = { h[1][1] * df[1] + h[1][2] * df[2], h[2][1] * df[1] + h[2][2] * df[2] }
   local from = { dx[1] * h[1][1] + dx[2] * h[2][1], dx[1] * h[1][2] + dx[2] * h[2][2] }
@@ -62,7 +63,7 @@ local function update(h, dx, df)
   end
 end
 
--- Returns the next step of ln k and alpha. Alpha changes by at most nine tenths of its distance to 0 or 1.
+-- Returns the next step of ln k and alpha. Alpha moves by at most nine tenths of its distance to 0 or 1.
 local function step_from(x, h, f)
   local of_k = -(h[1][1] * f[1] + h[1][2] * f[2])
   local of_alpha = -(h[2][1] * f[1] + h[2][2] * f[2])
@@ -70,9 +71,9 @@ local function step_from(x, h, f)
     math.max(-0.9 * x[2], math.min(of_alpha, 0.9 * (1 - x[2]))) }
 end
 
--- Searches k and alpha for which a run has the target depths. target: { sum= [mm], share= }; start: { ln k,
--- alpha }; options: fields (of wear{}), fixed (a given k, or nil), accuracy, counter. Returns { k=, alpha=,
--- sum= (simulated, [mm]), runs=, x=, conditions= }.
+-- Searches for k and alpha for which a run has the target depths. target: { sum= [mm], share= }; start: { ln
+-- k, alpha }; options: fields (of wear{}), fixed (the user's k, or nil), accuracy, counter. Returns { k=,
+-- alpha=, sum= (simulated, [mm]), runs=, x= (ln k and alpha), conditions= }.
 local function search(target, start, options)
   local within = target.share > 0 and target.share < 1
   local seeks = { not options.fixed, within }
@@ -97,15 +98,16 @@ end
 
 -- --- all measurements ------------------------------------------------------------------------------
 
--- Raises an error if a given k does not reproduce the measured depths.
+-- Raises an error if the sum of the depths simulated with the user's k differs from the measured sum by more
+-- than the tolerance.
 local function refuse_k(found, sum)
   if math.abs(found.sum / sum - 1) <= agreement then return end
   check.fail(where, ("field 'k': with this k the sum of both depths is %.4g mm, but the measured sum is %.4g mm; "
     .. "without the field k is computed, too"):format(found.sum, sum))
 end
 
--- Returns the standard deviations of k and alpha over the tests, from a separate search for each test, and
--- the number of runs.
+-- Searches k and alpha for each test separately. Returns their standard deviations over the tests and the
+-- number of runs.
 local function spreads(cylinder, plate, from, options)
   local k, alpha, runs = {}, {}, 0
   for i, c in ipairs(cylinder) do
@@ -116,7 +118,7 @@ local function spreads(cylinder, plate, from, options)
 end
 
 -- Computes k and alpha from measured depths. cylinder, plate: depths of both bodies [mm], lists of equal
--- length. options: accuracy and fields (of wear{}; a given k is not changed). Returns the fields of a
+-- length. options: accuracy and fields (of wear{}; a k given there is not changed). Returns the fields of a
 -- calibration.
 function depths.find(cylinder, plate, options)
   local c, p = statistics.mean(cylinder), statistics.mean(plate)

@@ -1,6 +1,6 @@
--- study:figures: draws the results of a study. The studies of the paper are drawn like the figures of the
--- paper, by examples/paper/figures.lua. For other studies the final shapes, the pressures and the histories
--- are drawn.
+-- Lua method study:figures: draws the results of a study. Studies of the paper are drawn like the figures of
+-- the paper (examples/paper/figures.lua). Figures of other studies show the final shapes, the pressures and
+-- the histories.
 
 local archard = require "archard"
 local check = require "archard.lib.check"
@@ -15,10 +15,10 @@ local figures = {}
 
 -- --- figures of any study ------------------------------------------------------------------------
 
-local most_curves = 8 -- largest number of curves in a picture, which is the number of its colours
+local most_curves = 8 -- largest number of curves in a picture, equal to the number of colours
 
--- Returns the title of a case, such as "α = 0.25, s = 0.11 mm", if all varied settings are numbers. Otherwise
--- it returns the label of the case.
+-- Returns the title of a case, such as "α = 0.25, s = 0.11 mm", if all varied settings are numbers, else the
+-- label of the case.
 local function title_of(case)
   local parts = {}
   for _, name in ipairs(case.study.varied) do
@@ -44,7 +44,8 @@ local function share_of(curves, cases)
   return #curves < #cases and ("%d of %d cases"):format(#curves, #cases) or nil
 end
 
--- Returns half the width of the picture [mm]: the widest contact, worn or unworn, plus a margin.
+-- Returns half the width of the picture [mm]: the largest half width of the contacts, worn or unworn, and a
+-- margin.
 local function reach_of(curves, widen)
   local reach = 0
   for _, curve in ipairs(curves) do
@@ -56,8 +57,8 @@ local function reach_of(curves, widen)
   return 1.3 * reach
 end
 
--- Returns the figure of final profiles and pressures and the text of share_of(), or nil for joints, which
--- have no profiles.
+-- Returns the figure of final profiles and pressures, and a text if not all cases are drawn. Returns nil for
+-- joints, which have no profiles.
 local function final_state(cases)
   local curves = finished(cases)
   if #curves == 0 or not curves[1].case.hertz then return nil end
@@ -80,7 +81,8 @@ local function histories(cases)
     panels.course(pressure, 1, of, curves, { yrange = { 0 } }) } }, share
 end
 
--- The figures of a general study. draw(cases) returns the figure, or nil, and the text of share_of().
+-- The figures of a general study. draw(cases) returns the figure or nil, and a text if not all cases are
+-- drawn.
 local general = {
   { name = "final", title = "Final state", draw = final_state,
     caption = "Worn shapes and pressures at the end of the runs.", shows = "" },
@@ -107,7 +109,8 @@ local function set_of(study)
   return require "archard.lib.examples_folder".parts("study:figures", "paper")("figures")[study.name]
 end
 
--- Returns a caption, which is given as a string or as a function of the drawn cases.
+-- Returns the caption of a figure. given: the caption or a function that makes the caption from the drawn
+-- cases.
 local function words(given, cases)
   return type(given) == "function" and given(cases) or given
 end

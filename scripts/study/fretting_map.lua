@@ -1,9 +1,10 @@
--- study.fretting_map: computes for each load and motion amplitude whether the contact sticks, slips partially
--- or slips grossly, and the borders between these regimes. The computation uses periodic cycles under an
--- alternating tangential force. plot/fretting_map.lua draws the map.
--- A smooth contact slips at its edges under any tangential force. Partial slip is therefore defined to begin
--- when the slip annulus reaches a given fraction of the contact width. An annulus this small is usually
--- narrower than one element, so the border is found by a fit: the width of the stick zone is computed at
+-- Lua function study.fretting_map: computes for each load and motion amplitude whether the contact sticks,
+-- slips partially or slips grossly, and computes the borders between these regimes. The contact is under an
+-- alternating tangential force in periodic cycles. plot/fretting_map.lua draws the map.
+--
+-- A smooth contact slips at its edges under any tangential force. Therefore partial slip is defined to begin
+-- when the slip annulus reaches a given fraction of the contact width. Such a small annulus is usually
+-- narrower than one element, so the border is computed by a fit. The width of the stick zone is computed at
 -- forces up to sliding, and 1 - (stick width / contact width)^n is fitted by b1 s + b2 s^2, where s is the
 -- force divided by the sliding force. For the Hertz contact the fitted expression equals s, with n = 2 for
 -- cylinders and 3 for balls (Cattaneo and Mindlin).
@@ -16,10 +17,10 @@ local strict = require "archard.strict"
 local where = "study.fretting_map"
 
 local usual = { friction = 0.6, annulus = 0.1 }
--- Number of force levels of the fit; largest level as a fraction of the sliding force.
+-- levels: number of force levels of the fit; last_level: largest level as a fraction of the sliding force.
 local levels, last_level = 18, 0.9
 local sliding = 1 - 1e-6
--- Increments of half a cycle; few are enough, since the shear has little effect on the pressure.
+-- Number of increments in half a cycle. Few suffice, because the shear has little effect on the pressure.
 local steps = 4
 
 local fields = { load = check.any "a list", motion = check.any "a list", friction = check.positive, annulus = check.share }
@@ -28,7 +29,7 @@ for _, setting in ipairs(require "archard.settings".contact) do
 end
 for _, own in ipairs{ "x", "load_angle", "average" } do fields[own] = nil end
 
--- Raises an error if a field is not a list of increasing numbers > 0.
+-- Raises an error if a field is not a list of increasing positive numbers.
 local function check_growing(given, name, unit)
   local list = given[name]
   if not check.list.test(list) or #list == 0 then
@@ -44,9 +45,9 @@ end
 
 -- --- steady cycles -------------------------------------------------------------------------------
 
--- Returns the width of the stick zone at an end of a cycle, divided by the contact width. In 3-D it is the
--- square root of the stick area divided by the contact area. Returns nil if all nodes up to an edge stick,
--- because the mesh then cannot resolve the slip.
+-- Returns the width of the stick zone at an end of a cycle as a fraction of the contact width. In 3-D this
+-- fraction is the square root of the ratio of stick area and contact area. Returns nil if the slip is too
+-- narrow for the mesh, which means that all nodes up to an edge stick.
 local function share_of(contact)
   local zones, edges, sum = contact.stick, contact.edges, 0
   if type(zones) == "number" then return zones < 1 and math.sqrt(zones) or nil end
@@ -55,8 +56,8 @@ local function share_of(contact)
   return sum / (edges.right - edges.left)
 end
 
--- Computes a cycle of the tangential force between +share and -share times the friction limit. Returns
--- the contacts at its two ends.
+-- Computes a cycle of the tangential force, whose amplitude is the fraction `share` of the friction limit.
+-- Returns the contacts at both ends of the cycle.
 local function cycle(pressed, share)
   local force = share * pressed.friction * pressed.load
   local function go(from, to) return check.as(where, from.move, from, { tangential = to, increments = steps }) end
@@ -69,9 +70,9 @@ local function amplitude(pressed, share)
   return (there.x - back.x) / 2
 end
 
--- Returns the motion amplitude [mm] from which the whole contact slips. In 3-D forces are exact only to 1e-5
--- of the sliding force; the amplitude is therefore extrapolated from 99 % of this force by Mindlin's 1 - (1 -
--- s)^(2/3).
+-- Returns the motion amplitude [mm] from which the whole contact slips. In 3-D, forces are accurate only to
+-- 1e-5 of the sliding force. The amplitude is therefore extrapolated from 99 % of the sliding force by
+-- Mindlin's 1 - (1 - s)^(2/3).
 local function gross_amplitude(pressed)
   if type(pressed.stick) ~= "number" then return amplitude(pressed, sliding) end
   local near = 0.99
@@ -82,7 +83,7 @@ end
 
 local function exponent_of(contact) return type(contact.stick) == "number" and 3 or 2 end
 
--- Adds the contact at one end of a cycle to the normal equations for b1 and b2.
+-- Adds the contact at one end of a cycle to the normal equations for the coefficients b1 and b2.
 local function add_end(sums, share, contact)
   local width = share_of(contact)
   if not width then return end
@@ -91,8 +92,8 @@ local function add_end(sums, share, contact)
   sums.count = sums.count + 1
 end
 
--- Returns the force at which the slip annulus reaches the fraction `annulus` of the contact width,
--- divided by the sliding force. Returns `sliding` if the annulus stays smaller until the contact slides.
+-- Returns the force at which the slip annulus reaches the fraction `annulus` of the contact width, as a
+-- fraction of the sliding force. Returns `sliding` if the annulus stays smaller until the contact slides.
 local function partial_share(pressed, annulus)
   local sums = { 0, 0, 0, 0, of = { 0, 0 }, count = 0 }
   for i = 1, levels do
@@ -115,7 +116,7 @@ local function regime_of(self, i, motion)
   return motion >= self.partial_from[i] and "partial" or "stick"
 end
 
--- Computes the transitions and the regimes at one load and appends them to the map as a row.
+-- Computes the transitions and the regimes at one load, and appends them to the map as a row.
 local function add_load(self, given, load)
   local i = #self.load + 1
   local pressed = check.as(where, contact, merged(given, { load = load }))

@@ -1,5 +1,6 @@
--- study: many wear runs in one run file. This module creates and opens studies. study/run.lua computes the
--- cases, study/case.lua reads their results; study/table.lua, figures.lua and converge.lua show them.
+-- Class study: many wear runs (cases) in one run file. This module makes and opens studies. study/run.lua
+-- computes the cases, study/case.lua reads their results; study/table.lua, figures.lua and converge.lua show
+-- them.
 
 local check = require "archard.lib.check"
 local lazy = require "archard.lib.lazy"
@@ -13,7 +14,8 @@ local study = {}
 local methods = {}
 local class = { __name = "study", __methods = methods, __fields = { "name", "file" } }
 
--- Default of `snapshots`: number of times that the surfaces of a case are stored before the end of its run.
+-- Default of `snapshots`, the number of times that the surfaces of a case are stored before the end of its
+-- run.
 local usual_snapshots = 6
 
 local open_file = lazy("archard.study.definitions", "open")
@@ -24,7 +26,8 @@ local definition_fields = merged({ base = check.table, vary = check.table, name 
   cases = check.list_of(check.table, "a list of tables"), task = check.one_of{ "wear", "converge" },
   sample = check.table }, of_samples)
 
--- Returns the samples of a study, or nil. Without samples, the fields that need samples, such as n, raise an error.
+-- Reads the samples of a study; returns nil if there are none. Without samples, fields such as n and seed
+-- raise an error.
 local function read_sample(where, given)
   if given.sample then return require "archard.uncertainty.design".read(where, given) end
   for _, name in ipairs{ "n", "design", "seed", "indices" } do
@@ -42,8 +45,7 @@ local function refuse_two(where, given)
   end
 end
 
--- Returns the flat settings of every case. If `vary`, `cases` and `sample` are all missing, `base` is the
--- only case.
+-- Returns the flat settings of all cases. Without `vary`, `cases` and `sample`, `base` is the only case.
 local function expand(where, given, sample)
   refuse_two(where, given)
   local cases = given.cases or sample and require "archard.uncertainty.design".cases(sample)
@@ -66,8 +68,8 @@ local function new(where, given)
   return setmetatable(self, class)
 end
 
--- study.paper(base) returns a study of the 20 cases of Table 1. `base` may contain further fields of wear{}.
--- With elements smaller than the paper's, the cycles per update are reduced in proportion.
+-- study.paper(base) returns a study of the 20 cases in Table 1 of the paper. `base` may contain more fields
+-- of wear{}. If the elements are smaller than in the paper, the cycles per update are reduced in proportion.
 function study.paper(base)
   base = check.definition("study.paper", base or {}, check.anything)
   local size = settings.flatten("study.paper", base or {})["model.mesh.size"]
@@ -75,15 +77,16 @@ function study.paper(base)
     cases = require "archard.study.paper".cases(type(size) == "number" and size or nil) })
 end
 
--- study.meshes(base) returns a study of the cases with stroke a on successively finer meshes.
+-- study.meshes(base) returns a study of the paper's cases with the shortest stroke, on successively finer
+-- meshes.
 function study.meshes(base)
   base = check.definition("study.meshes", base or {}, check.anything)
   return new("study.meshes", { name = "meshes of the paper", base = base, snapshots = 0,
     cases = require "archard.study.paper".mesh_cases() })
 end
 
--- study.trials(base) returns a study of the runs in the paper's convergence study (Fig. 8), integrated by Eq.
--- (4) and by Eq. (5).
+-- study.trials(base) returns a study of the runs of the paper's convergence study (Fig. 8), each integrated
+-- by Eq. (4) and by Eq. (5).
 function study.trials(base)
   base = check.definition("study.trials", base or {}, check.anything)
   return new("study.trials", { name = "trials", base = base, snapshots = 0,
@@ -92,7 +95,7 @@ end
 
 -- --- run files ---------------------------------------------------------------------------------
 
--- study.open(path) opens the study in a run file, to read its results or to continue it.
+-- study.open(path) opens the study in a run file. Its results can be read, and it can be continued.
 function study.open(path)
   if not check.file.test(path) then
     check.fail("study.open", ("expected the name of a run file, got %s"):format(check.shown(path)))
@@ -107,7 +110,7 @@ function study.open(path)
   return self
 end
 
--- Returns the run file, which is opened for reading on the first call.
+-- Returns the run file. The first call opens it for reading.
 function methods:store()
   if not self.reading then
     if not self.file then
@@ -130,15 +133,16 @@ local run_fields = {
   keep = check.positive,
 }
 
--- Returns a function that selects the cases of share i of n, which are i, i + n, i + 2n, ...
+-- Returns a function that selects the cases of share i of n: cases i, i + n, i + 2n, ... text: "i/n", or nil
+-- for all cases.
 local function read_shard(text)
   if not text then return nil end
   local i, n = text:match("(%d+)/(%d+)")
   return function(id) return (id - tonumber(i)) % tonumber(n) == 0 end
 end
 
--- Creates the run of the first case, so that a value out of range is reported before any run starts. A
--- study has no cases if its file was written by a program that was killed during its start.
+-- Makes the run of the first case, so that a value out of range is reported before any run starts. If a
+-- program was killed while it wrote the file of a study, the study has no cases.
 local function try_first(self, where)
   if #self.flat == 0 then
     check.fail(where, ("%s has no cases: create the study again%s"):format(self.file or "the study",
@@ -151,9 +155,8 @@ local function try_first(self, where)
   check.fail(where, ("case 1: %s"):format(run.message), run.code)
 end
 
--- study:run{ workers=, file=, shard="i/n", progress=, keep= } computes the cases that are not finished and
--- returns the study itself. Afterwards study.failed lists the failed cases and study.warned the cases with
--- warnings of this call.
+-- study:run{ workers=, file=, shard="i/n", progress=, keep= } computes all unfinished cases and returns the
+-- study. After the call, study.failed lists the failed cases and study.warned the cases with warnings.
 function methods:run(options)
   options = options or {}
   check.fields("study:run", options, run_fields)
@@ -183,7 +186,7 @@ function methods:submit(options)
   return submit.run(self, options)
 end
 
--- Returns the list of cases in order. Finished cases have results.
+-- Returns the list of cases in the order of the study. Finished cases have results.
 function methods:cases()
   local new_case = require "archard.study.case".new
   local list = {}
@@ -214,20 +217,20 @@ function methods:close()
   self.reading = nil
 end
 
--- study.converge{...} searches for mesh size, jump and increments; see converge.lua.
+-- study.converge{...} searches for element size, jump and increments; see study/converge.lua.
 function study.converge(given, options)
   return require "archard.study.converge"(study, given, options)
 end
 
--- study.fretting_map{...} computes the slip regimes over load and motion amplitude; see fretting_map.lua.
+-- study.fretting_map{...} computes slip regimes over load and motion amplitude; see study/fretting_map.lua.
 function study.fretting_map(given)
   return require "archard.study.fretting_map"(given)
 end
 
 -- --- joining -----------------------------------------------------------------------------------
 
--- study.merge(file, ..., { file = }) merges the run files of the shares of one study into one file, by
--- default "study.archard". Every case must be finished in one of the files.
+-- study.merge(file, ..., { file = }) merges the run files of the shares of one study into one file (default:
+-- "study.archard"). All cases must be finished in these files.
 function study.merge(...)
   local files = { ... }
   local options = type(files[#files]) == "table" and table.remove(files) or {}

@@ -1,5 +1,5 @@
--- Merges the run files of the shares of a study into one file. The store refuses files of different studies,
--- and cases that are finished in two files with different results.
+-- Merges the run files of the shares of a study into one file. Files of different studies are refused, and so
+-- are cases that are finished in two files with different results.
 
 local stores = require "archard.store"
 local check = require "archard.lib.check"
@@ -18,7 +18,8 @@ local function refuse_gaps(path, ids)
     #ids, shown))
 end
 
--- Returns the files that have cases. A file without cases is from a program that was killed during its start.
+-- Returns the files that have cases. A file has no cases if the program that wrote it was killed during its
+-- start.
 local function begun(files)
   local list = {}
   for _, file in ipairs(files) do
@@ -30,8 +31,8 @@ local function begun(files)
     and ", nor do the other files" or ""))
 end
 
--- Called as merge(files, path, open, write): writes the merged study to `path`. open(path) must read a study,
--- write(study, store) must store its definitions.
+-- Writes the merged study to `path` and returns it. open(path): function that reads a study; write(study,
+-- store): function that stores the definitions of a study.
 return function(files, path, open, write)
   files = begun(files)
   local first = open(files[1])

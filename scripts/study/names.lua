@@ -1,13 +1,13 @@
 -- Checks the names of a case's settings against the help entries of wear{}, model{}, the bodies and
--- material{}. A misspelt name is then reported before any run.
+-- material{}, so that a misspelt name is reported before any run.
 
 local check = require "archard.lib.check"
 local keys = require "archard.lib.keys"
 local merged = require "archard.lib.merged"
 
-local tree -- tree of the known names; the names below an empty table are not checked
+local tree -- tree of the known names; names below an empty table are not checked
 
--- Adds the names in a path, such as "mesh.size", to the tree `at`.
+-- Adds the parts of a path, such as "mesh.size", to the tree `at`.
 local function plant(at, path)
   for part in path:gmatch("[^.]+") do
     at[part] = at[part] or {}
@@ -15,8 +15,8 @@ local function plant(at, path)
   end
 end
 
--- Returns the names of a body and its material. The fields layers and materials have no help entries and are
--- added by this function.
+-- Returns the names of the fields of a body and its material. This function adds the fields layers and
+-- materials, which have no help entries.
 local function grow_body(body, material)
   for name in pairs(body) do
     if name:match "^layer%d" then body[name] = nil end
@@ -35,7 +35,8 @@ local function grow()
   grown.model.cylinder, grown.model.plate = grown.material, grown.material
   local body = grow_body(grown.body, grown.material)
   grown.model.upper, grown.model.lower = body, body
-  grown.model.head, grown.model.cup, grown.model.foundation, grown.model.order = {}, {}, {}, {} -- joint{} checks these
+  -- joint{} checks the names below these fields
+  grown.model.head, grown.model.cup, grown.model.foundation, grown.model.order = {}, {}, {}, {}
   for name in pairs(require "archard.joint.run".fields) do grown.wear[name] = grown.wear[name] or {} end
   for name in pairs(require "archard.joint.given_gait".fields) do grown.wear.loading[name] = {} end
   grown.wear.model = grown.model
@@ -55,14 +56,14 @@ local function refuse_unknown(where, name)
   local at, prefix = tree, ""
   for part in name:gmatch("[^.]+") do
     if next(at) == nil then return end
-    if not math.tointeger(tonumber(part)) then -- an integer is an index in a list
+    if not math.tointeger(tonumber(part)) then -- an integer is the index of a list element
       if not at[part] then refuse(where, at, prefix, part) end
       at, prefix = at[part], prefix .. part .. "."
     end
   end
 end
 
--- Checks the names in the flat settings of every case.
+-- Checks all names in the flat settings of all cases.
 return function(where, cases)
   tree = tree or grow()
   local seen = {}

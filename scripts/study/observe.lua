@@ -1,5 +1,6 @@
--- Results that a fit compares with measurements: history columns and profiles at given distances. The module
--- is used by the fit and by its workers, which read the list of results as text from the run file.
+-- Records the results that a fit compares with measurements: history columns and profiles at given distances.
+-- The fit and its workers use this module. Workers read the list of results to record as text from the run
+-- file.
 
 local check = require "archard.lib.check"
 
@@ -11,8 +12,8 @@ local function text_of(numbers)
   return table.concat(words, " ")
 end
 
--- Returns the key for the profile of a body or, in three dimensions, for its section { x= } or { z= }. The
--- key has no dots, because it becomes part of a flat name in run files.
+-- Returns the key of the profile of a body or, in three dimensions, of its section { x= } or { z= }. Dots are
+-- replaced, because the key becomes part of a flat name in run files.
 function observe.surface(body, section)
   if not section then return body end
   return (("%s_%s_%.17g"):format(body, section.x and "x" or "z", section.x or section.z):gsub("%.", ","))
@@ -26,8 +27,9 @@ local function profile_of(run, surface)
   return run:profile(body, { [axis] = tonumber((at:gsub(",", "."))) })
 end
 
--- Returns the list of results as text. what: { distances = increasing list [mm], columns = names of history
--- columns, surfaces = keys of profiles, loops = distances [mm] at which the friction loop is recorded }.
+-- Returns the list of results to record as text. what: { distances = increasing list [mm], columns = names of
+-- history columns, surfaces = keys of profiles, loops = distances [mm] at which the friction loop is recorded
+-- }.
 function observe.text(what)
   return ("%s;%s;%s;%s"):format(text_of(what.distances), table.concat(what.columns, " "),
     table.concat(what.surfaces, " "), text_of(what.loops))
@@ -68,8 +70,8 @@ local function reading(run, what, distance)
   return found
 end
 
--- Computes wear{ given } up to each distance. Returns a list of { distance=, COLUMN=, SURFACE={x=,h=},
--- loop={x=,tangential=} } and the run.
+-- Computes the run wear{ given } up to each distance. Returns a list with { distance=, COLUMN=,
+-- SURFACE={x=,h=}, loop={x=,tangential=} } for each distance, and the run.
 function observe.run(given, what, on_progress)
   local run, last = wear(given), what.distances[#what.distances]
   local readings = {}

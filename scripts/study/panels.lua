@@ -1,5 +1,5 @@
--- Curves of cases, and panels with these curves, for the figures of studies. Lengths along the surface are in
--- mm or in units of a, the half width of the unworn contact.
+-- Makes curves of cases, and panels with these curves, for the figures of studies. Lengths along the surface
+-- are in mm or in units of a, the half width of the unworn contact.
 
 local panels = {}
 
@@ -16,7 +16,8 @@ function panels.over_a(case, x)
   return map(x, function(value) return value / a end)
 end
 
--- Returns the worn surface of a body as a curve of heights [um]: the unworn shape minus the wear depth.
+-- Returns the worn surface of a body as a curve of heights [um], which are the unworn shape minus the wear
+-- depth.
 function panels.shape(case, body, distance, mm)
   local profile = case:profile(body, distance)
   local radius = case.model.radius
@@ -39,8 +40,8 @@ end
 
 -- --- panels --------------------------------------------------------------------------------------
 
--- Functions by kind of panel. Each returns a panel without curves. `reach` is half the width of the panel in
--- units of a; heights are measured from the point of first contact of the unworn surfaces.
+-- Functions that return a panel without curves, by the kind of the panel. reach: half the width of the panel
+-- in units of a. Heights are measured from the first point of contact of the unworn surfaces.
 local kinds = {
   cylinder = function(reach)
     return { ylabel = "height of cylinder / µm", xlabel = "x / a", xrange = { -reach, reach },
@@ -55,7 +56,7 @@ local kinds = {
 }
 
 -- Returns a panel of shapes or pressures. kind: "cylinder", "plate" or "pressure"; curves: list of { case=,
--- title=, distance=, series= }. If options.mm is true, x and options.reach are in mm.
+-- title=, distance=, series= }. With options.mm, x and options.reach are in mm.
 function panels.panel(kind, curves, options)
   local panel = kinds[kind](options.reach or 3)
   for i, curve in ipairs(curves) do
@@ -71,7 +72,8 @@ function panels.panel(kind, curves, options)
   return panel
 end
 
--- Returns a panel with the histories of one column, multiplied by `factor`, over the sliding distance.
+-- Returns a panel with a history column of several cases over the sliding distance. Values are multiplied by
+-- `factor`.
 function panels.course(column, factor, label, curves, options)
   local panel = { xlabel = "d / mm", ylabel = label, title = options.title, yrange = options.yrange,
     xrange = options.xrange }

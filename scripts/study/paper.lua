@@ -1,4 +1,5 @@
--- Cases of the paper: Table 1 with its cycles per update, and the runs of the convergence study.
+-- Cases of the paper (Mattei and Di Puccio): Table 1 with its cycles per update, and the runs of the
+-- convergence study.
 
 local paper = {}
 
@@ -7,8 +8,8 @@ paper.strokes = { 0.11, 0.22, 0.44, 20 }
 paper.stroke_names = { "a", "2a", "4a", "2R" }
 paper.increments = 100
 
--- Cycles per update, a row for each alpha and a column for each stroke. The case with alpha 0 and stroke
--- 2R needs no finite elements and has no number.
+-- Cycles per update, with a row for each alpha and a column for each stroke. The case with alpha 0 and stroke
+-- 2R needs no finite elements, so it has no number.
 paper.jumps = {
   { 75, 50, 30 },
   { 100, 40, 25, 1 },
@@ -18,15 +19,15 @@ paper.jumps = {
 }
 
 -- Returns an upper estimate of the depth of the first update [mm], Eq. (28). jump: cycles per update; p:
--- pressure [MPa]; k: [mm²/N]; stroke: [mm]. A cycle has two strokes, or one if the stroke is 2R (the last
--- of paper.strokes).
+-- pressure [MPa]; k: wear coefficient [mm²/N]; stroke: [mm]. A cycle has two strokes, or one if the stroke is
+-- 2R, the last of paper.strokes.
 function paper.first_depth(jump, k, p, stroke)
   local strokes = stroke == paper.strokes[4] and 1 or 2
   return jump * k * p * strokes * stroke
 end
 
--- Element size of the paper. Ripples as short as an element grow first; on smaller elements the cycles per
--- update are therefore reduced in proportion.
+-- Element size in the paper. Ripples with the length of an element grow first, so smaller elements need fewer
+-- cycles per update: these are reduced in proportion.
 local paper_size = 0.020 -- mm
 
 -- Returns the settings of the 20 cases of Table 1 for elements of `size` [mm].
@@ -41,8 +42,8 @@ function paper.cases(size)
   return cases
 end
 
--- Element sizes [mm] of paper.mesh_cases(), which returns cases that show the mesh dependence: stroke a and
--- all alpha > 0.
+-- Element sizes [mm] of paper.mesh_cases(). Its cases have the stroke a and all alpha > 0, and show the
+-- influence of the mesh.
 paper.sizes = { 0.020, 0.010, 0.005 }
 
 function paper.mesh_cases()
@@ -50,7 +51,7 @@ function paper.mesh_cases()
   for _, size in ipairs(paper.sizes) do
     for _, case in ipairs(paper.cases(size)) do
       if case.stroke == paper.strokes[1] and case.alpha > 0 then
-        case.geometry = "frozen" -- instead of "moving": depths and pressures change by less than 1e-4
+        case.geometry = "frozen" -- compared with "moving", depths and pressures change by less than 1e-4
         case.model = { mesh = { size = size, height = 1.25 * size } }
         cases[#cases + 1] = case
       end
@@ -59,8 +60,8 @@ function paper.mesh_cases()
   return cases
 end
 
--- The runs of Fig. 8 as { increments, jump }. paper.trial_cases() returns them with stroke a, alpha 0.5 and
--- 1000 cycles, for both rules of integration.
+-- The runs of Fig. 8 as { increments, jump }. paper.trial_cases() returns them for both integration rules,
+-- with stroke a, alpha 0.5 and 1000 cycles.
 paper.trials = { { 40, 50 }, { 40, 100 }, { 40, 200 }, { 200, 50 }, { 200, 100 }, { 200, 200 },
   { 16, 100 }, { 100, 100 } }
 

@@ -1,5 +1,6 @@
 -- Progress display of a study. On a terminal it shows one line for each worker and one for the whole study,
--- redrawn at the same position. Elsewhere it shows nothing or, in mode "lines", a line for each finished case.
+-- redrawn at the same position. Elsewhere it shows nothing or, in mode "lines", one line for each finished
+-- case.
 
 local one_run = require "archard.lib.progress"
 local term = require "archard.term"
@@ -11,9 +12,9 @@ progress.__index = progress
 
 local pause = 0.1 -- seconds between two redraws
 
--- Creates the display of a study. mode: nil (draws on a terminal), false (no display), "lines" (prints a line
--- for each finished case on standard output), or a function that is called after each case with { case=,
--- failure=, done=, total= }.
+-- Makes the display of a study. mode: nil (draws on a terminal), false (no display), "lines" (prints a line
+-- for each finished case on standard output), or a function called after each case with { case=, failure=,
+-- done=, total= }.
 function progress.new(workers, total, done, mode)
   return setmetatable({ workers = workers, total = total, done = done, first = done, failed = 0,
     mode = mode, shown = mode == nil and term.movable("stderr"), started = term.clock(),
@@ -33,7 +34,7 @@ function progress:finish(i, case, failure)
   if failure then self.failed = self.failed + 1 end
   if self.mode == "lines" then
     print(("%d/%d  case %d  %s%s"):format(self.done, self.total, case.id, case.label,
-      failure and "  failed" or "")) -- the reason of a failure is printed after the run
+      failure and "  failed" or "")) -- the reason for a failure is printed after the run
     io.flush()
   elseif type(self.mode) == "function" then
     self.mode{ case = case, failure = failure, done = self.done, total = self.total }
@@ -52,8 +53,8 @@ function progress:total_line(now, width)
     bar((self.done + part) / self.total, 20), self.done, self.total, failed, duration(left)), width)
 end
 
--- Returns the lines of the display for a terminal of `width` columns at time `now` [s]. Tests call this
--- function too.
+-- Returns the lines of the display. now: time [s]; width: columns of the terminal. Tests also call this
+-- function.
 function progress:text(now, width)
   local lines = { self:total_line(now, width) }
   for i = 1, self.workers do
@@ -75,7 +76,7 @@ function progress:draw()
   self.lines = #lines
 end
 
--- Clears the drawn lines and ends the display.
+-- Erases the drawn lines and ends the display.
 function progress:close()
   if self.lines > 0 then io.stderr:write(("\r\27[%dA\27[J"):format(self.lines)) end
   self.lines, self.shown = 0, false

@@ -1,6 +1,6 @@
 -- Prints the failed cases and the warnings of a study on standard error.
 
-local most_warnings = 3 -- up to this number, warnings are printed one per line; more are combined in one line
+local most_warnings = 3 -- up to this number, each warning has its own line; more warnings share one line
 
 return function(failed, warned)
   local function print_line(text, ...) io.stderr:write("study: ", text:format(...), "\n") end

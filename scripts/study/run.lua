@@ -1,5 +1,5 @@
--- Computes the cases of a run file in worker processes (worker.lua): assigns the cases, collects the results
--- and updates the display.
+-- Computes the cases of a run file in worker processes (study/worker.lua): assigns the cases, collects the
+-- results and updates the display.
 
 local process = require "archard.process"
 local check = require "archard.lib.check"
@@ -20,8 +20,7 @@ end
 local run = {}
 run.__index = run
 
--- Sends worker `i` the next case. If no case is left, sends the command to store the computed
--- cases.
+-- Sends worker `i` the next case or, if no case is left, the command to store its computed cases.
 function run:feed(i)
   local case = self.queue[self.next]
   self.busy[i] = case
@@ -48,9 +47,9 @@ function run:fail(i, case, message)
   self:over(i, case, message)
 end
 
--- Handles the end of a worker process. The current case fails, and computed cases that are not stored are
--- queued again. If the process ended while storing, those cases fail as well, because storing them would fail
--- again.
+-- Handles the end of a worker process. Its current case fails, and its computed cases that are not stored are
+-- queued again. If the process ended while storing, the computed cases fail too, because storing them would
+-- fail again.
 function run:handle_exit(i, event)
   local case, computed = self.busy[i], self.computed[i]
   local words = event.words:gsub("%s+", " "):gsub("^ ", ""):gsub(" $", "")
@@ -93,12 +92,12 @@ function run:handle_event(event)
   self:feed(event.worker)
 end
 
-local usual_keep = 60 -- default of options.keep [s]
+local usual_keep = 60 -- default of options.keep: seconds between saves of a long case
 
 -- Computes the waiting cases of `store`, a run file open for writing. options: workers; keep (seconds between
--- intermediate saves of a long case); chosen (function(id) -> true for the cases to compute; nil: all);
--- progress. Returns a list { id=, label=, message= } of the failed cases, a list of the same form of the
--- cases with warnings, and the number of computed cases.
+-- saves of a long case); chosen (function(id) that returns true for the cases to compute; nil: all);
+-- progress. Returns the failed cases and the cases with warnings, as lists of { id=, label=, message= }, and
+-- the number of computed cases.
 return function(store, options)
   store:release()
   local queue, finished = waiting(store, options.chosen)

@@ -1,7 +1,8 @@
--- Searches for the settings of a wear run, following Sec. 4.4 of the paper: first the element size from the
--- unworn contact, then the cycles per update and the increments per cycle from the smoothness and symmetry of
--- the surfaces after some updates. search(given, on_progress) returns the results. `given` has the fields of
--- wear{}; given.converge may contain limits that replace the limits below.
+-- Searches for the numerical settings of a wear run (Sec. 4.4 of the paper). The first search determines the
+-- element size from the unworn contact. The second determines the cycles per update and the increments per
+-- cycle, such that the surfaces remain smooth and symmetric.
+-- search(given, on_progress) returns the results. given: the fields of wear{}; given.converge may contain
+-- limits that replace the limits below.
 
 local hertz_of = require "archard.lib.hertz_of"
 local measure = require "archard.measure"
@@ -10,14 +11,15 @@ local quiet = require "archard.lib.quiet"
 
 local limits = {
   pressure = 0.01,     -- largest error of the contact pressure, as a fraction of the Hertz pressure
-  -- largest oscillation of the pressure from node to node (sawtooth) in the middle of the contact, as a fraction
-  -- of p_center, minus the oscillation in a run with a small jump
+  -- largest oscillation of the pressure from node to node (sawtooth) in the middle of the contact, as a
+  -- fraction of p_center; the oscillation in a run with a small jump is subtracted
   smooth = 0.005,
   symmetric = 1e-3,    -- largest difference between a profile and its mirror image, as a fraction of the depth
-  -- largest difference of a profile from the profile with many increments per cycle, as a fraction of the depth
+  -- largest difference between a profile and a profile computed with many increments per cycle, as a fraction
+  -- of the depth
   profile = 0.005,
-  updates = 100,       -- largest number of updates of a trial
-  first_depth = 1e-4,  -- depth of the first update for the initial guess of the jump, Eq. (28) [mm]
+  updates = 100,       -- largest number of updates in a trial run
+  first_depth = 1e-4,  -- depth of the first update at the initial guess of the jump, Eq. (28) [mm]
 }
 
 local usual_increments = 200 -- increments per cycle during the search for the jump
@@ -38,19 +40,20 @@ local function with_size(model_given, size)
   return model
 end
 
--- Smallest number of elements across the contact; with fewer, the pressure agrees with Hertz only by chance.
+-- Smallest number of elements across the contact. With fewer, the pressure agrees with Hertz only by chance.
 local fewest_elements = 8
 
 -- Halves the element size until the largest pressure of the unworn contact agrees with Hertz within `limit`
--- for two successive sizes; the larger size must have enough elements across the contact. Returns the list of
--- sizes tried, { size=, elements=, p_max=, error=, change= }, and the entry of the larger size, or nil if no
--- size was good. `error` and `change` (from the previous size) are divided by the Hertz pressure.
+-- at two successive sizes, the larger of which must have enough elements across the contact. Returns the list
+-- of sizes tried, { size=, elements=, p_max=, error=, change= }, and the entry of the larger size, or nil if
+-- no size was good. error: deviation from Hertz; change: change from the previous size; both relative to the
+-- Hertz pressure.
 function search.mesh(given, limit, on_step)
   local m = given.model or {}
   local h = hertz_of(m, given.load)
   local size, steps = rounded(0.75 * h.half_width), {}
   for i = 1, 7 do
-    -- The first sizes are coarse on purpose, so warnings are suppressed.
+    -- The first sizes are intentionally coarse, so warnings are suppressed.
     local c = quiet(contact, { model = with_size(m, size), load = given.load })
     local before = steps[i - 1]
     steps[i] = { size = size, elements = 2 * h.half_width / size, p_max = c.p_max,
@@ -69,7 +72,7 @@ end
 
 -- --- smoothness and symmetry -----------------------------------------------------------------------
 
--- Returns the sawtooth of the pressure in the middle of the contact, divided by p_center; at most 1. The
+-- Returns the sawtooth of the pressure in the middle of the contact relative to p_center, at most 1. The
 -- edges are excluded, because pressure peaks there are physical.
 local function roughness(run)
   local pressure = run:pressure("upper")
@@ -91,7 +94,7 @@ local function asymmetry(run)
   return worst
 end
 
--- Returns the largest difference between the profiles of two runs, divided by the largest depth of run `b`.
+-- Returns the largest difference between the profiles of two runs, relative to the largest depth of run `b`.
 local function difference(a, b)
   local worst = 0
   for _, body in ipairs{ "upper", "lower" } do
@@ -106,14 +109,14 @@ end
 
 -- --- trials ----------------------------------------------------------------------------------------
 
--- Runs that test a jump and a number of increments. Coarse meshes and kinks that move through the contact
--- also make the pressure rough. The roughness of a trial is therefore reduced by the roughness of a reference
--- run, whose steps are too small for ripples to grow.
+-- Trials: runs that test a jump and a number of increments. Coarse meshes, and kinks that move through the
+-- contact, also make the pressure rough. The roughness of a reference run is therefore subtracted from the
+-- roughness of a trial. The steps of the reference run are too small for ripples to grow.
 
 local trial = {}
 trial.__index = trial
 
-local stages = 5 -- number of times that the reference run evaluates the stability limit
+local stages = 5 -- number of evaluations of the stability limit in the reference run
 
 function trial:new_run(jump, increments)
   return wear(merged(self.given, { model = self.model, jump = jump, increments = increments }))
@@ -123,8 +126,8 @@ local function course_jump(self, unworn_limit)
   return math.min(self.guess / 2, 0.4 * unworn_limit, self.cycles / 40)
 end
 
--- Computes the reference run. Sets self.course to its list of { distance, roughness } and self.stable to its
--- lowest stability limit [cycles].
+-- Computes the reference run. Sets self.course to a list of { distance, roughness } and self.stable to the
+-- lowest stability limit [cycles] of this run.
 local function run_course(self)
   local run <close> = self:new_run(self.guess, usual_increments)
   self.stable = run:stability().jump_limit
@@ -139,7 +142,7 @@ local function run_course(self)
     if i % every == 0 then self.stable = math.min(self.stable, run:stability().jump_limit) end
     if i % 10 == 0 then self.report(0.3 * i / most) end
   end
-  -- the roughness of a coarse mesh appears at different distances in different runs
+  -- a coarse mesh makes the pressure rough at different distances in different runs
   self.allowed = math.max(self.limit.smooth, self:own_roughness(0, math.huge) / 4)
 end
 
@@ -158,8 +161,8 @@ local function new_trial(given, limit, on_progress)
   return self
 end
 
--- Returns the largest roughness of the reference run between the distances `from` and `to` [mm], including
--- the next point on each side.
+-- Returns the largest roughness of the reference run between the distances `from` and `to` [mm]. The next
+-- point on each side is included.
 function trial:own_roughness(from, to)
   local course, worst = self.course, 0
   for i, point in ipairs(course) do
@@ -171,8 +174,8 @@ function trial:own_roughness(from, to)
   return worst
 end
 
--- Computes a run of at most limit.updates updates. Returns the run and its largest roughness beyond the
--- reference run.
+-- Computes a run of at most limit.updates updates. Returns the run and the largest difference between its
+-- roughness and the roughness of the reference run.
 function trial:run(jump, increments)
   local run = self:new_run(jump, increments)
   local worst, span = 0, jump * self.strokes * self.stroke
@@ -187,8 +190,8 @@ function trial:run(jump, increments)
   return run, worst
 end
 
--- Returns true if a jump gives smooth and symmetric surfaces, and false if it does not or if the engine
--- refuses a step. Also returns roughness, asymmetry and number of updates.
+-- Returns true if a jump gives smooth and symmetric surfaces. Returns false if it does not, or if the engine
+-- refuses a step. Further results: roughness, asymmetry and number of updates.
 function trial:good(jump, increments)
   local fine, run, worst = pcall(self.run, self, jump, increments)
   local even, updates = 1, 0
@@ -206,8 +209,8 @@ function trial:good(jump, increments)
   return smooth and symmetric, worst, even, updates
 end
 
--- Round values of the jump: rung(i) is 1, 1.5, 2, 2.5, 3, 4, 5, 6, 7.5, 10, ... rung_of(value) returns the
--- index of the largest round value <= value.
+-- The search tries the round values 1, 1.5, 2, 2.5, 3, 4, 5, 6, 7.5, 10, ... of the jump. rung(i) returns the
+-- value with index i, rung_of(value) the index of the largest round value <= value.
 local steps = { 1, 1.5, 2, 2.5, 3, 4, 5, 6, 7.5 }
 local function rung(i) return steps[i % #steps + 1] * 10.0 ^ (i // #steps) end
 local function rung_of(value)
@@ -217,7 +220,7 @@ local function rung_of(value)
 end
 
 -- Searches downward for the largest good jump among the round values. The search starts at the stability
--- limit or at a tenth of all cycles, whichever is smaller. Sets the fields of `found` that describe the jump.
+-- limit or at a tenth of all cycles, whichever is smaller, and stores its results in `found`.
 function trial:largest_jump(found, increments)
   local highest = self.cycles / 10
   local i = rung_of(math.min(highest, self.stable))
@@ -234,8 +237,8 @@ function trial:largest_jump(found, increments)
   end
 end
 
--- trial:fewest_increments() returns the smallest number of increments in the ladder for which the profiles
--- are smooth, symmetric and equal to the profiles with `many` increments.
+-- trial:fewest_increments() returns the smallest number of increments in `ladder` for which the profiles are
+-- smooth, symmetric and equal to the profiles with `many` increments.
 local many, ladder = 400, { 200, 100, 64, 40, 32, 20, 16, 10, 8, 4 }
 search.most_increments, search.fewest_increments, search.ladder = many, ladder[#ladder], ladder
 
@@ -262,24 +265,25 @@ local function without_limits(given)
   return copy
 end
 
--- Fields of `found`:
--- jump: nil if no jump was good
--- limit: the lowest stability limit [cycles]; nil if there is none
--- capped: true if no larger jump was tried; bound: the reason for this, "stability" or "cycles" (a tenth of all
--- cycles)
--- judged: number of updates of the trial
--- increments: nil if the plate does not slide
--- roughness, asymmetry: values of the trial with the best jump
--- smooth: the allowed roughness, if it is larger than the limit
--- lopsided: asymmetry of the smooth runs, if it is the reason that no jump was good
--- change: difference of the profiles with these increments
--- first_depth: depth of the first update [mm]
--- trials: number of trials; jumps, roughnesses: lists for all trials
+-- Fields of the result `found`:
+--   jump: largest good jump; nil if none was good
+--   limit: lowest stability limit [cycles]; nil if there is none
+--   capped: true if no larger jump was tried
+--   bound: reason for this, "stability" or "cycles" (a tenth of all cycles)
+--   judged: number of updates of the trial with the best jump
+--   increments: increments per cycle; nil if the plate does not slide
+--   roughness, asymmetry: values of the trial with the best jump
+--   smooth: allowed roughness, if it is larger than the limit
+--   lopsided: asymmetry of the smooth runs, if it is the reason that no jump was good
+--   change: difference between the profiles with these and with `many` increments
+--   first_depth: depth of the first update [mm]
+--   trials: number of trials
+--   jumps, roughnesses: lists with the jump and the roughness of each trial
 local function find(given, on_progress)
   local self = new_trial(without_limits(given), merged(limits, given.converge), on_progress or print)
   local found = {}
   self:largest_jump(found, usual_increments)
-  -- a smaller jump does not reduce this asymmetry, but more increments may
+  -- this asymmetry does not depend on the jump, but more increments may reduce it
   if not found.jump and self.lopsided then self:largest_jump(found, many) end
   found.lopsided = not found.jump and self.lopsided or nil
   if found.jump then

@@ -1,5 +1,5 @@
--- Computes one share of a submitted study in its own process: every n-th waiting case, written to a separate
--- run file. The environment variable ARCHARD_SHARE contains the number of the share.
+-- Computes one share of a submitted study in a separate process: every n-th waiting case. The results are
+-- written to a separate run file. The environment variable ARCHARD_SHARE contains the number of the share.
 
 local definitions = require "archard.study.definitions"
 local files = require "archard.files"
@@ -7,7 +7,7 @@ local text_file = require "archard.lib.text_file"
 
 local where = "study:submit"
 
--- Returns a function(id) that returns true for the cases of share i of n.
+-- Returns a function(id) that returns true for the cases that belong to share i of n.
 local function chosen(whole, i, n)
   local store <close> = definitions.open(where, whole, "read")
   local ids, position = {}, 0
@@ -20,9 +20,9 @@ local function chosen(whole, i, n)
   return function(id) return ids[id] end
 end
 
--- Computes a share. `whole` is the run file of the study. `folder` is the folder of the job; it contains
--- blank.archard (the definitions without results) and the run files of the shares. If Slurm restarts a task,
--- its run file is continued.
+-- Computes a share. whole: run file of the study; folder: folder of the job, with the run files of the shares
+-- and blank.archard (the definitions without results). If Slurm restarts a task, the run file of its share is
+-- continued.
 return function(whole, folder, shares, workers)
   local i = assert(math.tointeger(tonumber(os.getenv "ARCHARD_SHARE")), "ARCHARD_SHARE: expected an integer")
   local mine, blank = ("%s/%d-of-%d.archard"):format(folder, i, shares), folder .. "/blank.archard"

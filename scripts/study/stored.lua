@@ -1,5 +1,5 @@
--- Reads a study from its run file, which may be untrusted. Every value that other modules use is checked here
--- once; the store has already checked the rows.
+-- Reads a study from its run file, which may be untrusted. All values that other modules use are checked
+-- here; the store has already checked the rows.
 
 local check = require "archard.lib.check"
 local design = require "archard.uncertainty.design"
@@ -8,8 +8,8 @@ local function damaged(where, store, what, ...)
   check.fail(where, ("%s: the file is damaged: " .. what):format(store.path, ...), "FORMAT")
 end
 
--- Raises an error if a setting is a part of another setting that has a value ("alpha.x" and "alpha"), or if a
--- number is not finite.
+-- Raises an error if a number is not finite, or if a setting with a value is part of another setting with a
+-- value, such as "alpha.x" and "alpha".
 local function check_case(where, store, id, flat)
   for name, value in pairs(flat) do
     local owner = name:match "^(.*)%."
@@ -23,7 +23,7 @@ local function check_case(where, store, id, flat)
   end
 end
 
--- Returns the flat settings of the cases. Their ids must be 1, 2, ...
+-- Returns the flat settings of the cases in a list. The ids of the cases must be 1, 2, ...
 local function cases_of(where, store)
   local list = {}
   for i, case in ipairs(store:cases()) do
@@ -59,8 +59,8 @@ local function task_of(where, store)
   return task
 end
 
--- An empty file is read as a study without cases. A program that is killed during its start writes such a
--- file.
+-- An empty file is read as a study without cases. Such a file remains if a program is killed during its
+-- start.
 local function read(where, store)
   local kind = store:info("kind")
   if not kind and #store:cases() == 0 then return { flat = {} } end
@@ -72,5 +72,5 @@ local function read(where, store)
     flat = flat, sample = sample_of(where, store, flat) }
 end
 
--- Called as read(where, store). Returns the study as { name=, snapshots=, task=, flat=, sample= }.
+-- Reads the study in the run file `store`. Returns { name=, snapshots=, task=, flat=, sample= }.
 return function(where, store) return check.as(where, read, where, store) end

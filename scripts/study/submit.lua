@@ -1,8 +1,9 @@
--- Runs a study as a job array. The cases are split into shares; Slurm or GNU parallel starts a process for
--- each share, which writes its own run file. The program follows the job, merges the shares into the study's
--- run file and restarts interrupted shares. A folder beside the run file contains the script, the run files
--- and logs of the shares and a description of the job; the folder is removed after merging. If this program
--- is killed, the next submit of the same study follows the job, or merges its results and continues.
+-- Runs a study as a job array. The cases are split into shares. For each share, Slurm or GNU parallel starts
+-- a process, which writes its own run file. This program follows the job, merges the shares into the study's
+-- run file and restarts interrupted shares.
+-- A folder beside the run file contains the script, the run files and logs of the shares, and a description
+-- of the job. The folder is removed after merging. If this program is killed, the next submit of the same
+-- study follows the job, or merges its results and continues.
 
 local check = require "archard.lib.check"
 local definitions = require "archard.study.definitions"
@@ -32,7 +33,7 @@ local engines = { slurm = require "archard.slurm.array", parallel = require "arc
 
 -- --- folder of a job -----------------------------------------------------------------------------
 
--- Returns a table with the properties and file names of a job. `name`: name that the engine gave the job, or
+-- Returns a table with the properties and file names of a job. name: name of the job set by the engine, or
 -- nil before the start.
 local function describe(folder, engine, shares, name)
   return { folder = folder, engine = engine, shares = shares, name = name,
@@ -45,8 +46,8 @@ local function write_note(job)
   files.write(where, job.note, ("%s %d %s\n"):format(job.engine, job.shares, job.name or "-"))
 end
 
--- Returns the job described by the note in the folder. Returns nil if the note is missing, incomplete or of
--- an unknown engine.
+-- Returns the job that the note in the folder describes. Returns nil if the note is missing or incomplete, or
+-- names an unknown engine.
 local function noted(folder)
   local word, count, name = (text_file.read(folder .. "/job") or ""):match("^(%a+) (%d+) (%S+)\n$")
   local engine, shares = engines[word], count and math.tointeger(tonumber(count))
@@ -55,13 +56,13 @@ local function noted(folder)
   return describe(folder, word, shares, name ~= "-" and name or nil)
 end
 
--- Removes a run file, and the journal and lock file that a killed program may have left.
+-- Removes a run file, and its journal and lock file, which remain if a program is killed.
 local function remove_store(path)
   for _, ending in ipairs{ "", "-journal", ".lock" } do os.remove(path .. ending) end
 end
 
--- Removes all files of this and earlier jobs from the folder, including journals without a run file, and
--- then the folder. Other files in the folder are not removed.
+-- Removes all files of this job and of earlier jobs from the folder, including journals without a run file,
+-- and then the folder. Other files are not removed.
 local function clear(job)
   local names = process.files(job.folder) or {}
   for _, name in ipairs(names) do
@@ -75,7 +76,7 @@ end
 
 -- --- following -----------------------------------------------------------------------------------
 
--- Returns the number of cases that a share has finished, from the last line of its log.
+-- Returns how many cases a share has finished. The number is read from the last line of its log.
 local function gone_through(path)
   local file <close> = io.open(path, "r")
   if not file then return 0 end
@@ -91,7 +92,7 @@ local function counted(job)
   return sum
 end
 
--- Returns the progress display of a job. `mode` has the same values as the option progress of study:run.
+-- Makes the progress display of a job. mode: as the option progress of study:run.
 local function display(total, mode)
   local last
   local bar = mode == nil and progress.new{ total = total, label = "study", unit = "cases" }
@@ -108,9 +109,9 @@ local function display(total, mode)
   }
 end
 
-local patience = 30 -- largest number of successive failed queries of the engine
+local patience = 30 -- largest number of failed queries of the engine in succession
 
--- Waits until the job has ended. The interval between queries of the engine grows.
+-- Waits until the job has ended. The interval between queries of the engine increases to 10 s.
 local function follow(job, total, mode)
   local shown <close> = setmetatable(display(total, mode), { __close = function(self) self.close() end })
   local pause, silent = 0.2, 0
@@ -131,8 +132,8 @@ end
 
 -- --- merging -------------------------------------------------------------------------------------
 
--- Merges the finished cases of a share. A missing file is no error: another submit of the same study may have
--- merged it.
+-- Merges the finished cases of a share. A missing file is not an error, because another submit of the same
+-- study may have merged it.
 local function take(store, job, path)
   local fine, why = pcall(store.merge, store, path)
   if fine or not text_file.exists(path) then return end
@@ -165,14 +166,14 @@ end
 
 local function absolute(path)
   local text, fine = shell.ask(('whole=$(realpath -m -- %s) && printf %%s/ "$whole"'):format(shell.quote(path)))
-  if fine and text:find "%c" then check.fail(where, "field 'file': a control character in the file's folder") end
+  if fine and text:find "%c" then check.fail(where, "field 'file': the name of the file's folder contains a control character") end
   if fine then return text:sub(1, -2) end
   check.fail(where, ("%s: the shell cannot determine its absolute path: %s"):format(path,
     text ~= "" and text or "no output (is the limit of open files too low?)"), "IO")
 end
 
--- Returns the shell script of a share. The number of the share is in SLURM_ARRAY_TASK_ID or is the argument
--- of the script.
+-- Returns the shell script of a share. Its number is in SLURM_ARRAY_TASK_ID, else in the first argument of
+-- the script.
 local function script_of(job, whole)
   local program = process.program() or check.fail(where, "the path of this program is unknown", "IO")
   local chunk = itself.chunk("study.share", whole, job.folder, job.shares, job.workers)
@@ -202,7 +203,7 @@ local function start(self, job, whole)
   write_note(job)
 end
 
--- Returns the reason why a job has no results: the last line of a share's log, or else the first line of the
+-- Returns the reason for a job without results: the last line of a share's log, else the first line of the
 -- engine's log.
 local function last_words(job)
   for i = 1, job.shares do
@@ -215,7 +216,7 @@ end
 
 -- --- running -------------------------------------------------------------------------------------
 
--- Returns the cases to compute. Failed cases are set to "waiting" and computed again.
+-- Returns the cases to compute. Failed cases are also set to "waiting" and computed again.
 local function prepare(whole)
   local store <close> = definitions.open(where, whole, "write")
   for _, case in ipairs(of_status(store, "failed")) do store:mark(case.id, "waiting") end
@@ -223,15 +224,15 @@ local function prepare(whole)
   return of_status(store, "waiting")
 end
 
--- Returns a new job for `waiting` cases (a number).
+-- Returns a new job. waiting: number of cases to compute.
 local function new_job(folder, options, waiting)
   local job = describe(folder, options.engine, math.min(options.shares, waiting))
   job.workers, job.options = options.workers or 1, options.options or {}
   return job
 end
 
--- Runs the waiting cases as one job and merges the results. Returns the job and the number of cases that are
--- still waiting. Raises an error if no case was finished.
+-- Runs the waiting cases as one job and merges the results. Returns the job and the number of cases still
+-- waiting. Raises an error if the job finished no case.
 local function round(self, options, folder, whole, waiting)
   local job = new_job(folder, options, waiting)
   start(self, job, whole)
@@ -246,7 +247,7 @@ local function round(self, options, folder, whole, waiting)
   return job, left
 end
 
--- Returns the cases of the list `asked` that have warnings, each as { id=, label=, message= }.
+-- Returns those of the cases `asked` that have warnings, each as { id=, label=, message= }.
 local function warned_of(store, asked)
   local list = {}
   for _, case in ipairs(asked) do
@@ -265,8 +266,8 @@ local function finish(self, store, asked)
   end
 end
 
--- Waits for the job of an earlier submit, if there is one, and merges its results. Returns false if
--- options.wait is false and the job is still running.
+-- Waits for the job of an earlier submit, if any, and merges its results. Returns false if the job is still
+-- running and options.wait is false.
 local function earlier(self, folder, whole, options)
   local job = noted(folder)
   if not job then return true end
@@ -302,7 +303,7 @@ local function rounds(self, options, folder, whole)
   finish(self, store, asked)
 end
 
--- submit.run(study, options) runs the study as jobs and returns the study; study.file is its run file.
+-- Runs a study as jobs and returns the study. study.file must be set; it is the run file of the study.
 function submit.run(self, options)
   options.engine = options.engine or "local"
   options.shares = options.shares or process.processors()

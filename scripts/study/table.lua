@@ -1,4 +1,4 @@
--- Tables of a study's results, as text for the terminal, CSV or Markdown.
+-- Makes tables of a study's results, as text for the terminal, as CSV or as Markdown.
 
 local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
@@ -14,7 +14,7 @@ local tables = {}
 
 -- --- columns -------------------------------------------------------------------------------------
 
--- Returns the last row of the history of a finished case. Returns nil for other cases.
+-- Returns the last row of the history of a finished case, or nil for other cases.
 local function last_of(case) return case.status == "done" and case.last or nil end
 
 local function of_last(name, factor)
@@ -24,7 +24,7 @@ local function of_last(name, factor)
   end
 end
 
--- Columns with results, each { title, unit, format, function(case) -> value }.
+-- Columns with results, each as { title, unit, format, function(case) that returns the value }.
 local measured = {
   { "updates", "", "%d", of_last "update" },
   { "p_center", "MPa", "%.2f", of_last "p_center" },
@@ -41,8 +41,8 @@ local measured = {
   { "seconds", "s", "%.2f", function(case) return case.seconds end },
 }
 
--- Returns the names of the bodies of a study's finished cases. If the names differ between cases, it returns
--- the default names.
+-- Returns the names of the bodies in the finished cases of a study. If the cases differ in these names,
+-- returns the default names.
 local function bodies_of(study)
   local names
   for _, case in ipairs(study:cases()) do
@@ -53,7 +53,7 @@ local function bodies_of(study)
   return names or measure.bodies()
 end
 
--- Returns true if a finished case has a value, which may be NaN. Also returns true if no case is finished.
+-- Returns true if a finished case has a value, even if the value is NaN, or if no case is finished.
 local function is_measured(study, value_of)
   local finished = false
   for _, case in ipairs(study:cases()) do
@@ -63,7 +63,7 @@ local function is_measured(study, value_of)
   return not finished
 end
 
--- Returns the columns for which cases have values. Titles contain the names of the bodies.
+-- Returns the columns that have values. Column titles contain the names of the bodies.
 local function measured_of(study)
   local list, bodies = {}, bodies_of(study)
   local named = { depth_cylinder = "depth_" .. bodies.upper, depth_plate = "depth_" .. bodies.lower }
@@ -73,8 +73,8 @@ local function measured_of(study)
   return list
 end
 
--- Returns the beginning of a warning, without the name of the function, such as "the contact reaches the
--- cup's rim".
+-- Returns the beginning of a warning without the name of the function, such as "the contact reaches the cup's
+-- rim".
 local function shortened(warning) return warning:gsub("^[%l_]+:%l+: ", ""):match("^[^:(]*[^:(%s]") or warning end
 
 local function columns_of(study)
@@ -118,7 +118,7 @@ local function heads(columns, with_unit)
   return row
 end
 
--- Short column titles for the terminal. Units are in a separate row.
+-- Short column titles for the terminal, where a separate row contains the units.
 local short = { depth_cylinder = "h_cyl", half_width = "half_w",
   alpha_tilde = "a~", seconds = "time", updates = "upd." }
 
@@ -135,7 +135,7 @@ local function without(columns, name)
   return kept
 end
 
--- Width that is reserved for the status column. Long messages in this column may exceed the width of the
+-- Width reserved for the status column [characters]. Long messages in it may exceed the width of the
 -- terminal.
 local widest_status = 20
 
@@ -192,8 +192,8 @@ end
 local endings = { csv = "csv", md = "markdown", txt = "text" }
 local fields = { format = check.one_of{ "text", "csv", "markdown" }, file = check.file }
 
--- tables.make(study, { format=, file= }) returns the table as text for print(). With file=, it writes the
--- table to this file.
+-- Returns the table of a study as text for print(). With the option `file`, writes the table to this file and
+-- returns the path.
 function tables.make(study, options)
   options = options or {}
   check.fields("study:table", options, fields)
@@ -204,8 +204,8 @@ function tables.make(study, options)
   return written.returned("study:table", options.file)
 end
 
--- Returns the table for HTML pages as rows of formatted texts, the titles first. The columns in `omitted` are
--- left out.
+-- Returns the table for HTML pages as rows of formatted strings, the titles first, without the columns in
+-- `omitted`.
 function tables.rows(study, omitted)
   local columns = columns_of(study)
   for _, name in ipairs(omitted or {}) do columns = without(columns, name) end

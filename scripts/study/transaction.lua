@@ -1,7 +1,7 @@
--- Runs a function in a transaction of a run file: its writes are either all stored or all undone.
+-- Runs a function in a transaction of a run file: either all of its writes are stored or none.
 
--- Called as transaction(store, work, argument...): calls work(argument...). On an error the writes are rolled
--- back and the error is raised again.
+-- Calls work(...) in a transaction of `store`. On an error, all writes are undone and the error is raised
+-- again.
 return function(store, work, ...)
   store:begin()
   local fine, why = pcall(work, ...)

@@ -1,5 +1,5 @@
--- Computes wear coefficients from measured volumes (Eqs. 1, 11, 12), for a whole test or as tables over the
--- distance from volumes measured at several distances. Each test has one pair of volumes.
+-- Computes wear coefficients from measured volumes (Eqs. 1, 11, 12): for a whole test or, if volumes were
+-- measured at several distances, as tables over the distance. Each test has one volume of each body.
 
 local statistics = require "archard.lib.statistics"
 
@@ -15,7 +15,7 @@ end
 
 -- --- one interval of distance ----------------------------------------------------------------------
 
--- Returns the standard deviation of each quantity over the tests. The deviation of alpha is a first-order estimate.
+-- Returns the standard deviation of each quantity over the tests. For alpha it is a first-order estimate.
 local function deviations(cylinder, plate, c, p, work)
   local total = c + p
   local function of(f)
@@ -29,16 +29,16 @@ local function deviations(cylinder, plate, c, p, work)
   }
 end
 
--- Returns the standard deviations for a single test whose volumes have the known error `err` [mm3].
+-- Returns the standard deviations for a single test whose volumes have the known standard error `err` [mm3].
 local function known_deviations(c, p, work, err)
   local total = c + p
   return { k = math.sqrt(2) * err / work, k_cylinder = err / work, k_plate = err / work,
     alpha = total > 0 and math.sqrt(c * c + p * p) * err / total ^ 2 or nil }
 end
 
--- Computes k and alpha of an interval of distance. cylinder, plate: volumes [mm3] lost in the interval, one
--- per test; work: load times distance [N mm]. Returns { mean=, spread=, low=, high= }, each a table of the
--- quantities. low and high are the confidence range of the mean; they are empty for a single test without
+-- Computes k and alpha for an interval of the distance. cylinder, plate: volumes [mm3] lost in the interval,
+-- one for each test; work: load times distance [N mm]. Returns { mean=, spread=, low=, high= }, each a table
+-- by quantity. low and high are the confidence limits of the mean; they are empty for a single test without
 -- `err`.
 function volumes.stretch(cylinder, plate, work, confidence, err)
   local c, p = statistics.mean(cylinder), statistics.mean(plate)
@@ -59,7 +59,8 @@ end
 
 -- --- tables over the distance ----------------------------------------------------------------------
 
--- Returns the start and the end of each interval: 0, then each measured distance twice, the last one once.
+-- Returns the start and end distances of all intervals in one list: 0, d1, d1, d2, d2, ..., with d1, d2, ...
+-- the measured distances.
 local function points(distance)
   local list = {}
   for i, d in ipairs(distance) do
@@ -68,8 +69,8 @@ local function points(distance)
   return list
 end
 
--- Returns the mean of the quantity `name` at the start and end of each interval. In an interval without wear
--- the value of the previous interval is used.
+-- Returns the mean of the quantity `name` twice for each interval, for its start and its end. An interval
+-- without wear has the value of the previous interval.
 local function steps(mean, name)
   local list = {}
   for i, each in ipairs(mean) do
@@ -79,14 +80,14 @@ local function steps(mean, name)
   return list
 end
 
--- Returns the results for each interval between the distances. cylinder[test][i] and plate[test][i] are the
--- volumes at distance i [mm3].
+-- Returns the results of each interval between the distances. cylinder[test][i], plate[test][i]: volume [mm3]
+-- lost up to distance i.
 local function stretches(distance, cylinder, plate, given)
   local list = {}
   for i, d in ipairs(distance) do
     local function lost(test) return test[i] - (test[i - 1] or 0) end
     local from = distance[i - 1] or 0
-    -- the volume at the start is exactly 0
+    -- the volume at the start is exactly 0, so only later intervals have errors at both ends
     local err = given.error and given.error * (i > 1 and math.sqrt(2) or 1)
     list[i] = volumes.stretch(map(cylinder, lost), map(plate, lost), given.load * (d - from),
       given.confidence, err)
@@ -95,9 +96,9 @@ local function stretches(distance, cylinder, plate, given)
 end
 
 -- Computes k and alpha over the distance. given: load, confidence, error. Returns two tables by quantity. The
--- first contains tables { distance=, value= }, constant in each interval: wear{} with these k and alpha
--- reproduces the measured volumes. The second contains the bands { distance=, value=, low=, high= } of the
--- means at the middle of each interval.
+-- first contains tables { distance=, value= } with constant values in each interval, which reproduce the
+-- measured volumes if used as k and alpha in wear{}. The second contains the confidence bands { distance=,
+-- value=, low=, high= } at the middle of each interval.
 function volumes.course(distance, cylinder, plate, given)
   local list, at = stretches(distance, cylinder, plate, given), points(distance)
   local mean = map(list, function(stretch) return stretch.mean end)

@@ -1,13 +1,13 @@
--- Computes a wear run of a study. It records the surfaces at given distances and saves the run to the run
--- file at intervals. If the process is killed, the next call continues the saved run.
+-- Computes a wear run of a study, records surfaces at given distances, and saves the run to the run file at
+-- intervals. If the process is killed, the next call continues the saved run.
 
 local joint_file = require "archard.joint.file"
 local term = require "archard.term"
 local transaction = require "archard.study.transaction"
 
--- Returns a function(distance) that returns true at the updates at which surfaces are recorded. There are
--- `count` records: the unworn surfaces, then the first update at or after each multiple of 1/`count` of the
--- total distance. The store records the final surfaces.
+-- Returns a function(distance) that returns true if surfaces must be recorded at this update. There are
+-- `count` records: the unworn surfaces, and the first surfaces at or after each multiple of 1/`count` of the
+-- total distance. The final surfaces are stored separately.
 local function recorder(count, total)
   local next_look = 0
   return function(distance)
@@ -26,7 +26,8 @@ local function record(run, list)
   end
 end
 
--- Returns the surfaces that were recorded before the run was saved. They are stored together with its state.
+-- Returns the surfaces recorded before the run was saved, which the run file stores together with the state
+-- of the run.
 local function recorded(run, surfaces, is_due)
   local due, list, history = {}, {}, run.history
   for i, distance in ipairs(history.distance) do
@@ -38,7 +39,7 @@ local function recorded(run, surfaces, is_due)
   return list
 end
 
--- Returns the saved run and its surfaces, or nil if the run was not saved or is finished.
+-- Returns the saved run and its surfaces, or nil if no unfinished run was saved.
 local function saved_run(store, id)
   local fine, run = pcall(joint_file.wear, store, id)
   if fine and run.update > 0 and not run.done then return run, joint_file.surfaces(store, id) end
@@ -50,7 +51,8 @@ return function(store, id, given, snapshots, every, on_progress)
   local run, surfaces = saved_run(store, id)
   run = run or wear(given)
   local total, last = run.total_distance, term.clock()
-  local is_due = recorder(joint_file.is_joint(run) and 0 or snapshots, total) -- the maps of joints are recorded at the end
+  -- joints record their maps only at the end
+  local is_due = recorder(joint_file.is_joint(run) and 0 or snapshots, total)
   local list = surfaces and recorded(run, surfaces, is_due) or {}
   if not surfaces and is_due(run.distance) then record(run, list) end
   run:run{ progress = function()

@@ -1,8 +1,8 @@
--- A worker process of a study. It reads lines "case ID" from standard input, computes the case and stores the
--- results in the run file; the line "store" makes it store all computed cases. It prints "at ID SHARE"
--- (finished fraction of the case) and "computed ID" (ready for the next case). After storing it prints "done
--- ID" or "failed ID TEXT", preceded by "warned ID TEXT" if the case has a warning. It prints "broken TEXT" if
--- the file cannot be written.
+-- Worker process of a study. It reads commands from standard input, one per line: "case ID" computes a case,
+-- "store" stores all computed cases in the run file.
+-- The worker prints "at ID SHARE" with the computed fraction of the case, "computed ID" when it is ready for
+-- the next case, and after storing "done ID" or "failed ID TEXT". "warned ID TEXT" is printed before these
+-- for a case with a warning, and "broken TEXT" if the run file cannot be written.
 
 local stores = require "archard.store"
 local files = require "archard.files"
@@ -13,10 +13,10 @@ local transaction = require "archard.study.transaction"
 local warnings = require "archard.warnings"
 local wear_task = require "archard.study.wear_task"
 
-local pause = 0.2 -- seconds between two progress lines
-local longest_wait = 0.5 -- longest time [s] that a computed case waits in memory
+local pause = 0.2 -- seconds between two lines on the progress of a case
+local longest_wait = 0.5 -- longest time [s] that a computed case waits before it is stored
 
--- Converts an error to one line of text. The position in the program is removed, because it does not help the
+-- Converts an error to one line of text. The position in the program is omitted, because it does not help the
 -- user.
 local function one_line(value)
   if type(value) == "table" then value.position = nil end
@@ -47,14 +47,15 @@ function tasks.wear(store, id, on_progress, every)
   end, run
 end
 
--- Searches for the settings of a case. Returns a function that stores them as the results of the case.
+-- Searches for the settings of a case, see study/search.lua. Returns a function that stores them as the
+-- results of the case.
 function tasks.converge(store, id, on_progress)
   local search = require "archard.study.search"
   local found = search(settings.nest(store:values(id, "settings")), on_progress)
   return function() store:set_values(id, "results", settings.flatten("converge", found)) end
 end
 
--- Computes a trial of a fit. Returns a function that stores the results that the fit compares with
+-- Computes a run of a fit. Returns a function that stores the results that the fit compares with
 -- measurements.
 function tasks.fit(store, id, on_progress)
   local observe = require "archard.study.observe"
@@ -66,7 +67,8 @@ end
 
 -- --- computation of single cases ------------------------------------------------------------------
 
--- Returns the progress callback of a case. Only cases that run longer than `pause` are marked as running.
+-- Returns the progress callback of a case. Only cases that run longer than `pause` seconds are marked as
+-- running.
 local function progress_of(store, id)
   local last, marked = term.clock(), false
   return function(share)
@@ -79,15 +81,15 @@ local function progress_of(store, id)
   end
 end
 
--- Returns the engine's warning for this case, or nil if there is none. Warnings of the task "converge" are ignored,
--- because its search exceeds limits on purpose.
+-- Returns the engine's warning for the current case, or nil if there is none. Warnings of the task "converge"
+-- are ignored, because its search exceeds limits intentionally.
 local function warning_of(store)
   local text = warnings.take()
   return store:info("task") ~= "converge" and text or nil
 end
 
--- Computes a case. Returns { id=, seconds=, warning=, failure=, keep=, run= }: keep is the function that
--- writes the results, run the wear object.
+-- Computes a case. Returns { id=, seconds=, warning=, failure=, keep=, run= }. keep: function that writes the
+-- results; run: the wear object.
 local function compute_case(store, id, every)
   local start = term.clock()
   warnings.take()
@@ -116,7 +118,7 @@ local function report(case)
   if case.failure then print_words("failed", case.id, case.failure) else print_words("done", case.id) end
 end
 
--- Writes all cases in one transaction or, on an error, none. Returns the time [s] of the commit.
+-- Writes all cases in one transaction; on an error, none is written. Returns the time [s] of the commit.
 local function write_cases(store, cases)
   local written
   transaction(store, function()
@@ -128,14 +130,15 @@ local function write_cases(store, cases)
   return seconds
 end
 
--- Queue of computed cases. Each commit waits for the disk. Short cases are therefore stored together, which
--- limits the waiting to a tenth of the time.
+-- Queue of computed cases. A commit waits for the disk, so short cases are stored together. This limits the
+-- waiting time to a tenth of the computing time.
 local result_queue = {}
 result_queue.__index = result_queue
 
 function result_queue:is_due() return term.clock() - self.since >= math.min(longest_wait, 10 * self.commit) end
 
--- Stores all cases together. If this fails, for example on a full disk, the cases are stored one by one.
+-- Stores all cases in the queue together. If this fails, for example because the disk is full, stores each
+-- case separately.
 function result_queue:store()
   local cases = self.cases
   self.cases = {}
@@ -163,8 +166,8 @@ local function handle_line(results, line)
   results:add(case)
 end
 
--- Runs the worker. every: seconds between saves of a long case. folder: folder of the sandbox that also
--- confines the worker, or "" without a sandbox; least: number of bytes that must stay free on the disk.
+-- Runs the worker. every: seconds between saves of a long case; folder: folder to which the sandbox confines
+-- the worker, or "" without a sandbox; least: number of bytes that must remain free on the disk.
 return function(path, every, folder, least)
   if folder ~= "" then files.confine(folder, least) end
   local results = setmetatable({ file = stores.open(path, "write"), cases = {}, since = term.clock(),

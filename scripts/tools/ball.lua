@@ -1,5 +1,5 @@
--- Compares a ball on a flat in three dimensions, unworn and worn, between CalculiX and archard's half-spaces.
--- Part of `make peer`.
+-- Compares the contact of a ball on a flat, unworn and worn, between CalculiX (three-dimensional elements)
+-- and archard (half-spaces). `make peer` runs this script.
 
 local deck = dofile(arg[0]:match("^.*/") .. "ball_deck.lua")
 
@@ -12,9 +12,9 @@ end
 
 local function zero() return 0 end
 
--- Returns the stress normal to the surface on the axis, in archard and in CalculiX, at the CalculiX node whose
--- depth is nearest to half the half width. Surface pressures of CalculiX are extrapolated and cannot be
--- compared on a worn surface.
+-- Returns the stress normal to the surface on the axis, in archard and in CalculiX. The position is the
+-- CalculiX node with the depth nearest to half the contact half width. Surface pressures are not compared,
+-- because CalculiX extrapolates them, which is inaccurate on a worn surface.
 local function on_axis(c, axis, half, surface)
   local nearest = axis[1]
   for _, node in ipairs(axis) do
@@ -29,11 +29,11 @@ local function largest(map)
   return most
 end
 
--- Computes a contact in both programs. Returns { title=, rows }. ball(x, z) and flat(x, z) are the worn
+-- Solves a contact in both programs. Returns { title=, rows }. ball(x, z) and flat(x, z) return the worn
 -- depths [mm].
 local function case(ccx, folder, title, c, ball, flat, seconds)
   local half = math.max(c.half_width, c.half_width_z)
-  local rim = (10 * half) ^ 2 -- beyond this radius the ball is flat, which gives both bodies a fixed height
+  local rim = (10 * half) ^ 2 -- beyond this radius the ball is flat, so that both bodies have a fixed height
   local function height(x, z) return math.min(x * x + z * z, rim) / (2 * radius) + ball(x, z) end
   local ball_nodes, all = deck.write(folder .. "/ball.inp", { upper = height, lower = function(x, z) return -flat(x, z) end, E = E,
     nu = nu, load = load, approach = c.approach, half_width = half, far = far, elements = 4, stiffness = 1e9 })

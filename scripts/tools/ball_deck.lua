@@ -1,12 +1,12 @@
--- Writes a ball on a flat as an input deck for CalculiX: a quarter of both bodies (x, z >= 0), meshed with bricks of
--- 20 nodes that are small at the contact. Both bodies are blocks, and the lower side of the upper block has the
--- heights of the ball. The bodies therefore differ from half-spaces only by their finite size. Lengths in mm, forces
--- in N, stresses in MPa; y is up.
+-- Writes a ball on a flat as an input deck for CalculiX. A quarter of both bodies (x, z >= 0) is meshed with
+-- bricks of 20 nodes that are small at the contact. Both bodies are blocks; the lower side of the upper block
+-- has the shape of the ball. The bodies therefore differ from half-spaces only by their finite size. Lengths
+-- are in mm, forces in N, stresses in MPa; y points up.
 
 local deck = {}
 
--- Returns positions from 0 on: `count` equal steps up to `fine`, then steps that grow by the factor `growth`
--- until `far`. The midpoints of all steps are included.
+-- Returns positions from 0 to `far`: `count` equal steps up to `fine`, then steps that grow by the factor
+-- `growth`. The midpoints of all steps are included.
 local function graded(fine, count, growth, far)
   local at, step, all = { 0 }, fine / count, {}
   for i = 1, count do at[#at + 1] = i * step end
@@ -21,16 +21,17 @@ local function graded(fine, count, growth, far)
   return all
 end
 
--- Corners and edge midpoints of a brick on a lattice with two steps per element, in CalculiX order. y is the
--- second axis.
+-- Positions of the nodes of a brick, corners and edge midpoints, in CalculiX order on a lattice with two
+-- steps per element. The second coordinate is y.
 local order = {
   { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 }, { 0, 0, 2 }, { 2, 0, 2 }, { 2, 2, 2 }, { 0, 2, 2 },
   { 1, 0, 0 }, { 2, 1, 0 }, { 1, 2, 0 }, { 0, 1, 0 }, { 1, 0, 2 }, { 2, 1, 2 }, { 1, 2, 2 }, { 0, 1, 2 },
   { 0, 0, 1 }, { 2, 0, 1 }, { 2, 2, 1 }, { 0, 2, 1 },
 }
 
--- Writes the nodes and elements of a body. surface(x, z) returns the y of its surface; the layers extend to
--- `far` above it (upper body) or below it. Numbers of nodes and elements start after `node` and `element`.
+-- Writes the nodes and elements of a body. surface(x, z) returns the height y of its surface. The layers
+-- extend to the distance `far` above (upper body) or below the surface. Node and element numbers start after
+-- `node` and `element`.
 local function write_body(file, name, plan, layers, surface, side, far, node, element)
   local number = {}
   local function key(i, j, k) return (i * 1000 + j) * 1000 + k end
@@ -83,10 +84,9 @@ local function write_contact(file, name, body, reach, side)
   end
 end
 
--- Writes an Abaqus deck of a case. case: upper and lower, functions (x, z) -> y [mm]; E [MPa] and nu of both
--- bodies; load [N]; approach (expected), half_width of the contact, and far, the distance of the outer
--- boundary [mm]. Returns the number of nodes
--- of the ball and of both bodies.
+-- Writes an input deck in Abaqus format. Fields of `case`: upper and lower, functions (x, z) that return y
+-- [mm]; E [MPa] and nu of both bodies; load [N]; expected approach and half_width of the contact [mm]; far,
+-- the distance of the outer boundary [mm]. Returns the number of nodes of the ball and of both bodies.
 function deck.write(path, case)
   local file <close> = assert(io.open(path, "w"))
   local fine, growth = 1.3 * case.half_width, 1.9

@@ -1,6 +1,6 @@
--- Measures the costs of archard in one run (make bench). Times are CPU seconds of one thread; memory is the
--- peak that the kernel reports. Arguments: "quick" omits the finer meshes; "sizes" prints and plots how the
--- cost grows with the number of surface nodes, down to elements of 2.5 um (some minutes).
+-- Measures computing times and memory of archard (make bench). Times are CPU seconds of one thread, memory is
+-- the peak reported by the kernel. Arguments: "quick" omits the finer meshes; "sizes" prints and plots how
+-- the times grow with the number of surface nodes, down to elements of 2.5 um (some minutes).
 
 local function peak_memory()
   local file = io.open("/proc/self/status")
@@ -26,7 +26,7 @@ local function line(what, value, unit, goal, note)
   io.write(string.format("  %-52s %9s %-4s %s\n", what, value, unit, goal and ("goal " .. goal) or note or ""))
 end
 
--- Returns the microseconds per contact solution in a long run with frozen geometry, including all overhead.
+-- Returns the time per contact solution [us] in a long run with frozen geometry, including all overhead.
 local function solution_cost(model, finer)
   local w = wear{ model = model, geometry = "frozen", jump = 100 / finer }
   w:run{ distance = 132, progress = false }
@@ -35,8 +35,7 @@ local function solution_cost(model, finer)
   return 1e6 * seconds / (w.solutions - before)
 end
 
--- Returns the microseconds per increment in a wear run with frozen geometry and 40 increments per cycle, the
--- best of five runs.
+-- Returns the time per increment [us] of a wear run with frozen geometry, the best of five runs.
 local function cycle_cost(model, fields)
   local best = math.huge
   for _ = 1, 5 do
@@ -48,8 +47,8 @@ local function cycle_cost(model, fields)
   return best
 end
 
--- Returns the microseconds per increment of contact:move{} under a tangential force, with a given number of
--- increments.
+-- Returns the time per increment [us] of contact:move{} under a tangential force, the best of five trials.
+-- increments: number of increments in one call.
 local function motion_cost(model, increments)
   local c = contact{ model = model, friction = 0.6 }:move{ tangential = 48 }
   local best, repeats = math.huge, math.ceil(400 / increments)
@@ -62,8 +61,9 @@ local function motion_cost(model, increments)
   return best
 end
 
--- Prints the cost of increments with friction between similar bodies, and its ratio to increments without
--- friction. The motion is not symmetric, so the halves of a cycle are not mirror images.
+-- Prints the time of increments with friction between similar bodies, and its ratio to the time without
+-- friction. The motion is asymmetric, so that no half of a cycle is computed as the mirror image of the
+-- other.
 local function friction_costs(model)
   local to_and_fro = { x = { -0.025, 0.0251, -0.025 }, increments = 40 }
   local plain = cycle_cost(model, { loading = to_and_fro })
@@ -77,8 +77,8 @@ local function friction_costs(model)
   compare("c:move under a force, 20 increments", motion_cost(model, 20))
 end
 
--- Runs the 20 cases with the parameters of Table 1. The cycles per update are divided by `finer`, because
--- ripples grow faster on finer meshes.
+-- Runs the 20 cases of Table 1 of the paper. The cycles per update are divided by `finer`, because ripples
+-- grow faster on finer meshes.
 local function twenty_cases(model, geometry, finer)
   local solutions = 0
   local seconds = timed(function()
@@ -98,7 +98,7 @@ end
 
 local function measure(size, finer, goals)
   local building, m = timed(function() return model_of(size) end)
-  io.write(string.format("\nelements of %g x %g um at the contact (%d in all), N-bar of Table 1%s\n", 1e3 * size,
+  io.write(string.format("\nelements of %g x %g um at the contact (%d in all), cycles per update of Table 1%s\n", 1e3 * size,
     1.25e3 * size, m.mesh.cylinder.elements_count + m.mesh.plate.elements_count, finer > 1 and " / " .. finer or ""))
   line("building the model", string.format("%.3f", building), "s", goals.building)
   line("a contact solution in a long run", string.format("%.1f", solution_cost(m, finer)), "us", goals.solution)
@@ -113,7 +113,8 @@ local function measure(size, finer, goals)
   line("peak memory so far", string.format("%.0f", peak_memory() or 0 / 0), "MB", goals.memory)
 end
 
--- Returns a row of the table of sizes: the cost of the reference case on a mesh with elements of `size` [mm].
+-- Returns one row of the table of sizes: the times of the reference case on a mesh with elements of `size`
+-- [mm].
 local function cost_at(size)
   local finer = 0.02 / size
   local building, m = timed(function() return model_of(size) end)
@@ -128,7 +129,7 @@ local function cost_at(size)
   return row
 end
 
--- Returns the exponent with which a cost grows with the number of surface nodes, from the two finest meshes.
+-- Returns the exponent with which a time grows with the number of surface nodes, from the two finest meshes.
 local function growth(rows, what)
   local a, b = rows[#rows - 1], rows[#rows]
   return math.log(b[what] / a[what]) / math.log(b.nodes / a.nodes)
@@ -136,7 +137,7 @@ end
 
 local function sizes()
   local rows, curves = {}, {}
-  io.write("\nthe reference case (N-bar = 100 at 20 um, proportional to the size)\n\n",
+  io.write("\nthe reference case (100 cycles per update at 20 um, proportional to the size)\n\n",
     "   size  plate's   elements   building  a solution    frozen    moving  updates   memory\n",
     "     um    nodes                     s          us         s         s                MB\n")
   for i, size in ipairs{ 0.04, 0.02, 0.01, 0.005, 0.0025 } do
@@ -158,7 +159,7 @@ local function sizes()
   plot(curves)
 end
 
--- Measures the elapsed time of a study with many small cases, with one worker per processor.
+-- Measures the elapsed time of a study with many small cases and one worker per processor.
 local function studies()
   local term, workers = require "archard.term", require "archard.process".processors()
   local file, loads = os.tmpname(), {}
@@ -177,7 +178,8 @@ local function studies()
     string.format("%.0f", 300 / minutes), "a minute")
 end
 
--- Measures a sampled study of the reference case: its run, storage and statistics.
+-- Measures the elapsed time of a sampled study of the reference case, including storage, and the time of its
+-- statistics.
 local function samples(count, geometry)
   local term, workers = require "archard.term", require "archard.process".processors()
   local file = os.tmpname()
@@ -195,7 +197,7 @@ local function samples(count, geometry)
   line("bands and quantiles of these samples", string.format("%.2f", asked), "s")
 end
 
--- Measures sensitivities, which are computed from one run and its repetitions with small changes.
+-- Measures the computation of sensitivities from a run and its repetitions with small changes.
 local function sensitivities()
   for _, jump in ipairs{ 100, "auto" } do
     local w = wear{ jump = jump }
@@ -206,7 +208,7 @@ local function sensitivities()
   end
 end
 
--- Measures fits to a pair of profiles and to a set of generated data.
+-- Measures a fit of k and alpha to a pair of computed profiles.
 local function fitting()
   local truth, data = wear{ k = 1.3e-8, alpha = 0.4, stroke = 0.22, jump = 50 }, {}
   truth:run{ progress = false }
@@ -220,7 +222,7 @@ local function fitting()
   line(("a fit of k and alpha to a pair of profiles, %d runs"):format(found.runs), string.format("%.2f", seconds), "s", "5")
 end
 
--- Measures McColl's fretting case in gross slip at its published length.
+-- Measures McColl's fretting case in gross slip with the published number of cycles.
 local function fretting()
   local w = wear{ model = { radius = 6, mesh = { size = 0.01, height = 0.01 } }, friction = 0.9, load = 18.5,
     stroke = 0.05, increments = 40, k_cylinder = 1.9e-8, k_plate = 2.9e-8, cycles = 18000, jump = "auto" }
@@ -229,12 +231,12 @@ local function fretting()
   line(string.format("McColl's 18000 cycles, 10 um, %d increments", w.solutions), string.format("%.2f", seconds), "s", "10")
 end
 
--- Measures the paper's pair of bodies, defined by model{}, by body.cylinder{} and body.block{}, and by a Gmsh
--- file of its mesh. The mesh from the file has no wear box: its unknowns are eliminated in another order, and
--- no half stroke is computed as a mirror image.
+-- Measures runs of the paper's pair of bodies, defined by model{}, by body.cylinder{} and body.block{}, and
+-- by a Gmsh file of the same mesh. The Gmsh mesh has no wear box, so its unknowns are eliminated in another
+-- order, and no half stroke is computed as a mirror image.
 local function general_paths()
   local text = export.msh(model{ radius = 10 })
-  model{ radius = 9 } -- replaces the last model, which is cached
+  model{ radius = 9 } -- replaces the cached model, so that the next one is built completely
   local paths = {
     { name = "model{ radius=10 }", make = function() return model{ radius = 10 } end },
     { name = "body.cylinder on body.block", make = function()
@@ -242,7 +244,8 @@ local function general_paths()
     end },
     { name = "the same mesh from Gmsh", make = function() return model{ radius = 10, mesh = text } end },
   }
-  -- Calls f seven times for each path. The best times are used, because other load slows some calls.
+  -- Calls f seven times for each definition. The best times are used, because other processes slow some
+  -- calls.
   local function best(f)
     for _ = 1, 7 do
       for _, path in ipairs(paths) do f(path) end
@@ -271,8 +274,8 @@ local function general_paths()
   end
 end
 
--- Measures a million cycles of walking with 400 contacts: wear of both bodies of a metal joint, and wear of a
--- liner.
+-- Measures a million cycles of walking with 400 contact solutions: a metal joint with wear of both bodies,
+-- and a joint with wear of the liner.
 local function joints()
   io.write("\nball joints, 1e6 cycles of walking\n")
   local function walk(what, goal, definition, k, alpha)
@@ -290,8 +293,8 @@ local function joints()
   walk("the liner with a Winkler foundation", "0.1", liner, 1e-9, 0)
 end
 
--- Measures half-spaces in three dimensions: contacts that fill most of N x N cells, the wear history, and its
--- memory.
+-- Measures half-spaces in three dimensions: contacts that fill most of a square of cells, increments with
+-- friction, and time and memory of wear runs.
 local function half_spaces(quick)
   io.write("\nhalf-spaces in three dimensions\n")
   local half = hertz{ geometry = "3-D", load = 10 }.half_width
@@ -330,7 +333,7 @@ local function half_spaces(quick)
   end
 end
 
--- Measures the time [ms] from the start of the program to its end, the best of ten.
+-- Measures the time [ms] from the start to the end of the program, the best of ten.
 local function starting()
   local term, best = require "archard.term", math.huge
   for _ = 1, 10 do

@@ -1,4 +1,4 @@
--- Runs an input deck in CalculiX and reads the results, for `make peer` and the tests. Lengths in mm,
+-- Runs an input deck in CalculiX and reads its results, for `make peer` and the tests. Lengths are in mm,
 -- stresses in MPa, forces in N.
 
 local ccx = {}
@@ -6,8 +6,8 @@ local ccx = {}
 -- Returns true if CalculiX is installed.
 function ccx.there() return os.execute("command -v ccx >/dev/null 2>&1") == true end
 
--- Runs NAME.inp in a folder on one thread. Returns true on success, the output of CalculiX, and the CPU
--- seconds.
+-- Runs the deck NAME.inp in a folder on one thread. Returns true on success, the output of CalculiX, and the
+-- CPU seconds.
 local function run(folder, name)
   local pipe = assert(io.popen(("cd '%s' && OMP_NUM_THREADS=1 ccx %s 2>&1; times"):format(folder, name)))
   local said = pipe:read("a")
@@ -17,15 +17,15 @@ local function run(folder, name)
   return said:find("Job finished", 1, true) and not said:find("*ERROR", 1, true), said, seconds
 end
 
--- Returns the node number and the values of a result line. Each value has twelve columns.
+-- Returns the node number and the list of values in a result line. Each value is twelve characters wide.
 local function numbers_in(line)
   local values = {}
   for at = 14, #line - 11, 12 do values[#values + 1] = tonumber(line:sub(at, at + 11)) end
   return tonumber(line:sub(4, 13)), values
 end
 
--- Reads the results of the last step from an .frd file. Returns the blocks DISP, STRESS, CONTACT and NODES
--- (the positions), each by node number.
+-- Reads the results of the last step from an .frd file. Returns the tables DISP, STRESS, CONTACT and NODES
+-- (the positions) with the values of each node by its number.
 local function read_frd(path)
   local blocks, block = {}, nil
   for line in io.lines(path) do
@@ -45,8 +45,8 @@ local function read_frd(path)
   return blocks
 end
 
--- Returns the last force on the cylinder and the last displacement of the base, both along y, from the .dat
--- file.
+-- Returns the last force on the cylinder and the last displacement of the base, both along y, as printed in
+-- the .dat file.
 local function prints_in(path)
   local file = assert(io.open(path))
   local text = file:read("a")
@@ -83,8 +83,8 @@ local function pressures(blocks)
   return center, largest
 end
 
--- Returns the stresses normal to the surface at the nodes of the lower body below x = z = 0, as a list of {
--- y=, syy= }. The deepest node is first.
+-- Returns the stresses normal to the surface at the nodes of the lower body on the axis x = z = 0, as a list
+-- of { y=, syy= } with the deepest node first.
 local function below_axis(blocks, cylinder)
   local list = {}
   for node, s in pairs(blocks.STRESS) do
@@ -95,9 +95,9 @@ local function below_axis(blocks, cylinder)
   return list
 end
 
--- Solves a deck. cylinder, both: number of nodes of the cylinder and of both bodies. Returns { p_center=,
--- p_max=, mises={ cylinder=, plate= }, force=, approach=, seconds=, increments=, axis= }, or nil and the
--- output of CalculiX.
+-- Solves an input deck. cylinder: number of nodes of the cylinder; both: number of nodes of both bodies.
+-- Returns { p_center=, p_max=, mises={ cylinder=, plate= }, force=, approach=, seconds=, increments=, axis=
+-- }, or nil and the output of CalculiX.
 function ccx.solve(folder, name, cylinder, both)
   local done, said, seconds = run(folder, name)
   if not done then return nil, said end

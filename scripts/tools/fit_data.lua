@@ -1,6 +1,7 @@
--- Writes the measurements for examples/20_fit_profile.lua and examples/21_running_in_fit.lua. They are
--- results of runs with known values plus seeded noise of a realistic size. Usage: archard
--- scripts/tools/fit_data.lua
+-- Writes the measurements for examples/20_fit_profile.lua and examples/21_running_in_fit.lua: results of runs
+-- with known values, and random noise of a realistic size. The noise is the same in every call.
+--
+--   archard scripts/tools/fit_data.lua
 
 math.randomseed(20, 26)
 for _ = 1, 200 do math.random() end
@@ -22,8 +23,8 @@ local function at(surface, x)
   end
 end
 
--- Writes a measured profile of a body: a point every 10 um over +-0.5 mm, with 0.05 um of noise, a shift
--- [mm], a tilt and a level [mm].
+-- Writes a measured profile of a body with points every 10 um from -0.5 to 0.5 mm. Its noise is 0.05 um. Its
+-- position has a shift [mm], a tilt [mm/mm] and a level [mm].
 local function trace(run, body, shift, tilt, level)
   local surface, lines = run:profile(body), {}
   for i = -50, 50 do
@@ -41,8 +42,8 @@ worn:run()
 trace(worn, "cylinder", 0.006, 1.5e-4, -2e-4)
 trace(worn, "plate", -0.004, -1e-4, 3e-4)
 
--- Writes the volumes of both bodies at intermediate distances, each with an error of 3 %. During running-in k
--- falls to a third of its initial value.
+-- Writes the wear volumes of both bodies at several distances, with errors of 3 %. During running-in, k falls
+-- to a third of its initial value.
 local function k(state) return 1e-8 * (1 + 2 * math.exp(-state.distance / 200)) end
 local function alpha(state) return 0.35 + 0.3 * math.exp(-state.distance / 300) end
 local run <close> = wear{ k = k, alpha = alpha, stroke = 0.22, jump = 25 }

@@ -1,5 +1,5 @@
--- Counts how often the true values are within the 95 % ranges of fits to noisy data, and measures the time of
--- a fit.
+-- Fits noisy data many times. Counts how often the true values are in the 95 % ranges, and measures the time
+-- of a fit.
 --
 --   archard scripts/tools/fit_trials.lua [TRIALS]      default: 100
 local trial = dofile("tests/verify/lib/fit_trials.lua")

@@ -1,5 +1,5 @@
 -- Runs the examples and saves the last picture of each as FOLDER/NN_name.png. `make gallery` runs this script
--- in a folder that also receives the files written by the examples.
+-- in a folder for the other files that the examples write.
 --
 --   archard scripts/tools/gallery.lua FOLDER [NAME ...]
 
@@ -12,5 +12,5 @@ for _, name in ipairs(wanted) do
   examples.run(name)
   local picture = folder .. "/" .. name
   plot.save(picture .. ".png", { size = { 900, 600 } })
-  os.remove(picture .. ".csv") -- the CSV file that plot.save wrote with the picture
+  os.remove(picture .. ".csv") -- removes the CSV file that plot.save wrote with the picture
 end

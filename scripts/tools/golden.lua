@@ -1,13 +1,13 @@
--- Prints a hash of all results of the paper's 20 cases: every history column at every update, and the
+-- Prints a hash of all results of the paper's 20 cases: all history columns at all updates, and the final
 -- surfaces.
 --
 --   archard scripts/tools/golden.lua WORKERS [broken]
 --
--- With `broken`, each case is saved after three updates and continued from the file.
+-- With `broken`, each case is saved after three updates and continued from its file.
 
 local workers, broken = math.tointeger(arg[1]) or 1, arg[2] == "broken"
 
--- Adds bytes to a 64-bit FNV-1a hash and returns the new hash.
+-- Adds bytes to a 64-bit FNV-1a hash. Returns the new hash.
 local function add(sum, bytes)
   for i = 1, #bytes do sum = (sum ~ bytes:byte(i)) * 1099511628211 end
   return sum

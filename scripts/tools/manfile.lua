@@ -1,5 +1,6 @@
--- Writes the manual page archard-file(5) to standard output. The number of the format comes from the header
--- of run files, the columns from the help entry of histories:
+-- Writes the manual page archard-file(5) to standard output. The number of the file format is read from the C
+-- header of run files, the history columns from the help entry of histories.
+--
 --   archard scripts/tools/manfile.lua include/archard/store.h > build/man/archard-file.5
 
 local help = require "archard.help"
@@ -9,7 +10,7 @@ local function format_of(header)
   return assert(file:read "a":match("#define ARC_STORE_FORMAT (%d+)"), "no format in " .. header)
 end
 
--- Returns the columns of the history as items of the page, read from the lines " name [unit] text" of the
+-- Returns the history columns as items of the manual page, read from the lines "  name  [unit] text" of the
 -- help entry. In run files the name of a column ends with its unit.
 local function columns()
   local items = {}

@@ -13,7 +13,7 @@ local function escape(text)
   return (text:gsub("\\", "\\e"):gsub("^([.'])", "\\&%1"):gsub("\n([.'])", "\n\\&%1"))
 end
 
--- Writes a text in lines of at most 76 characters; every sentence begins on a new line.
+-- Writes a text in lines of at most 76 characters. Each sentence begins on a new line.
 local function put_filled(text)
   text = text:gsub("%s+", " ")
   local line = ""
@@ -48,7 +48,7 @@ local function put_text(text)
   if literal then put(".Ed") end
 end
 
--- Returns a line with a list item. The text is escaped so that roff does not read it as a macro.
+-- Returns the first line of a list item. The text is escaped so that roff does not read it as a macro.
 local function item(text)
   local words = {}
   for word in escape(text):gmatch("%S+") do

@@ -1,6 +1,6 @@
--- Runs a quasi-continuous wear history at full length: 10000 cycles of 100 increments with a geometry update
--- at every increment. This is a million contact solutions with frozen stiffness. The script also measures the
--- cost of user functions in such a run. `archard scripts/tools/million.lua` prints the times; require
+-- Runs a quasi-continuous wear history at full length: 10000 cycles of 100 increments, with a geometry update
+-- at every increment. The run has a million contact solutions with frozen stiffness. The script also measures
+-- the time of user functions in such a run. `archard scripts/tools/million.lua` prints the times; require
 -- "million" returns the function.
 
 local function timed(f)
@@ -16,14 +16,15 @@ local function quasi_continuous(fields, cycles)
   return wear(definition)
 end
 
--- Returns the CPU microseconds per increment of a run over a number of cycles, and the run.
+-- Returns the CPU time per increment [us] of a run with a given number of cycles, and the run.
 local function cost(fields, cycles)
   local w = quasi_continuous(fields, cycles)
   local seconds = timed(function() w:run{ progress = false } end)
   return 1e6 * seconds / (100 * cycles), w
 end
 
--- User function that returns all factors at once. It may overwrite the list of pressures with the factors.
+-- User function that computes the local factors of all nodes at once. It may overwrite the list of pressures
+-- with them.
 local function with_vector(_, xs, ps)
   for i = 1, #ps do ps[i] = 1 + 1e-6 * ps[i] + xs[i] end
   return ps
@@ -35,8 +36,8 @@ local functions = {
   { "local_factor, all nodes at once", { local_factor = { vector = with_vector } } },
 }
 
--- Calls line(what, value, unit, goal) for each line of the benchmark. `cycles` shortens the runs; default
--- 10000.
+-- Calls line(what, value, unit, goal) for each line of the benchmark. cycles: number of cycles (default
+-- 10000); fewer cycles shorten the runs.
 local function million(line, cycles)
   cycles = cycles or 10000
   local plain, w = cost({}, cycles)

@@ -1,8 +1,8 @@
--- make peer: solves exported decks in CalculiX and compares the results with archard's results. Both programs
+-- Solves exported decks in CalculiX and compares the results with those of archard (make peer). Both programs
 -- use the same linear elements on the same nodes. CalculiX enforces contact by a penalty, archard exactly.
--- Times are CPU seconds of one thread; an increment of archard is an increment of a wear run, including its
--- part of the time for wear and geometry updates. ball.lua adds a ball on a flat in three dimensions, with
--- bricks of 20 nodes.
+-- Times are CPU seconds of one thread. The time of an increment in archard is a mean over a wear run and
+-- includes wear and geometry updates. ball.lua adds a ball on a flat in three dimensions, with bricks of 20
+-- nodes.
 
 local here = arg[0]:match("^.*/")
 local ccx = dofile(here .. "ccx.lua")
@@ -40,8 +40,8 @@ local function theirs(folder, name, c)
   return assert(ccx.solve(folder, name, meshes.cylinder.nodes, meshes.cylinder.nodes + meshes.plate.nodes))
 end
 
--- Solves one case in both programs and returns both results. `seconds` is the time per increment of archard's
--- wear run.
+-- Solves a case in both programs. Returns the title and both results. seconds: time per increment of the wear
+-- run in archard.
 local function case(folder, title, c, seconds)
   local a, b = ours(c), theirs(folder, "deck", c)
   a.force, a.seconds = force_on(c), seconds

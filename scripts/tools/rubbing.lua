@@ -1,5 +1,5 @@
--- Computes the effect of friction on the paper's cases, which have no friction. The coefficient of friction
--- is 0.3, in gross sliding. Changes are in percent of the run without friction.
+-- Computes the effect of friction on the paper's cases, which have no friction. The contacts slide with a
+-- coefficient of friction of 0.3. Changes are printed in percent of the results without friction.
 --
 --   archard scripts/tools/rubbing.lua
 

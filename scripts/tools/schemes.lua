@@ -1,17 +1,18 @@
--- Compares explicit and implicit updates in the 20 cases of Table 1 at several element sizes. Prints errors,
--- updates, contact solutions and seconds as a Markdown table, with one row for the five alphas of a stroke.
+-- Compares explicit and implicit updates in the 20 cases of Table 1 of the paper at several element sizes.
+-- Prints errors, updates, contact solutions and seconds as a Markdown table. A row contains the five alphas
+-- of a stroke.
 --
 --   archard scripts/tools/schemes.lua [size in um ...]      default: 20, 10 and 5
 --
--- Each row has the largest error at any stored update and the error at the end, of the worst of the five
--- cases. The reference of a case is extrapolated from explicit runs with a fifth and a tenth of Table 1's
--- cycles per update and interpolated to the distances of the updates. The cycles per update are proportional
--- to the element size, because ripples grow faster on finer meshes.
+-- The errors in a row are those of the worst of the five cases: the largest error at any stored update, and
+-- the error at the end. The reference of a case is extrapolated from two explicit runs, with a fifth and a
+-- tenth of Table 1's cycles per update, and interpolated at the distances of the updates. The cycles per
+-- update are proportional to the element size, because ripples grow faster on finer meshes.
 
 local at = require "archard.lib.history_at"
 local paper = require "archard.study.paper"
 local schemes = {
-  { "explicit, N-bar of Table 1", function(jump) return { jump = jump } end },
+  { "explicit, jump of Table 1", function(jump) return { jump = jump } end },
   { 'explicit, jump = "auto"', function() return { jump = "auto" } end },
   { "implicit, tolerance = 1e-3", function() return { scheme = "implicit", tolerance = 1e-3 } end },
 }
@@ -25,14 +26,14 @@ local function run(case, model, fields)
   return w, os.clock() - start
 end
 
--- Runs a case explicitly with two lengths of the updates. The errors are linear in this length, so they
--- cancel in twice the finer minus the coarser result.
+-- Runs a case explicitly with two different cycles per update. The errors are proportional to the cycles per
+-- update, so they cancel in twice the finer result minus the coarser result.
 local function reference(case, model)
   return { coarse = run(case, model, { jump = case.jump / 5 }).history, fine = run(case, model, { jump = case.jump / 10 }).history }
 end
 
--- Returns two errors of a history column in percent: the largest at any update, and the error at the end. A
--- body without wear has no error.
+-- Returns two errors of a history column in percent: the largest at any update, and the one at the end.
+-- Errors of a body without wear are 0.
 local function errors(history, column, true_runs)
   local worst, off = 0, 0
   for i = 2, #history.distance do
@@ -44,8 +45,8 @@ local function errors(history, column, true_runs)
   return worst, off
 end
 
--- Runs a case and adds its results to a row: the largest errors, the smallest and largest numbers of updates
--- and solutions, and the sum of the seconds.
+-- Runs a case and adds its results to a row: the largest errors, the range of the numbers of updates and of
+-- solutions, and the sum of the seconds.
 local function add(row, case, model, scheme, true_runs)
   local w, seconds = run(case, model, scheme[2](case.jump))
   for _, name in ipairs{ "depth_cylinder", "depth_plate", "p_center" } do

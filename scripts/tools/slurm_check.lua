@@ -1,9 +1,9 @@
--- Runs a study through Slurm and in this process, checks that the results are identical to the bit, and
+-- Runs a study through Slurm and on this machine, checks that the results are identical in all bits, and
 -- prints the cases per minute.
 --
 --   scripts/slurm/node build/archard scripts/tools/slurm_check.lua [CASES] [SHARES] [FOLDER]
 --
--- The cases are small (elements of 40 um, five updates), so the overhead dominates.
+-- The cases are small (elements of 40 um, five updates), so most of the time is overhead.
 
 local count, shares = tonumber(arg[1]) or 1000, tonumber(arg[2]) or 8
 local folder = arg[3] or os.tmpname()

@@ -18,7 +18,8 @@ local function add(kind, file, line, text)
   texts[#texts + 1] = { kind = kind, file = file, line = line, text = text }
 end
 
--- Reads the literal whose opening quote is at position `at`. Returns its text and the position after it.
+-- Reads the string literal whose opening quote is at position `at`. Returns its text and the position after
+-- it.
 local function quoted(source, at)
   local quote, stop = source:sub(at, at), at + 1
   while source:sub(stop, stop) ~= quote and stop <= #source do
@@ -27,9 +28,9 @@ local function quoted(source, at)
   return source:sub(at + 1, stop - 1):gsub("\\n", " "):gsub("\\(.)", "%1"), stop + 1
 end
 
--- Languages by file ending. token(source, at) returns the kind, the text and the end of the token at `at`;
--- `first` is a set of characters that can begin a token; `joint` is the pattern of the code that may separate
--- two literals of one text.
+-- Languages by file ending. token(source, at): returns kind, text and end of the token at position `at`;
+-- first: set of characters that can begin a token; joint: pattern of the code between two literals that form
+-- one text.
 local languages = {}
 
 local function c_token(source, at)
@@ -56,8 +57,8 @@ local function lua_token(source, at)
 end
 languages.lua = { token = lua_token, first = "[-'\"%[]", joint = "^%s*%.%.%s*$" }
 
--- Appends a token to the list, or joins it to the last token: comments on consecutive lines are one comment,
--- and adjacent literals are one literal.
+-- Appends a token to the list, or joins it to the last token. Comments on consecutive lines are joined to one
+-- comment, adjacent literals to one literal.
 local function append(list, token, between, joint)
   local last = list[#list]
   local joins = last and last.kind == token.kind

@@ -1,4 +1,4 @@
--- Reads and changes the numbers in the definition of a run by name, for sensitivities.
+-- Reads and changes numbers in the definition of a run by their names, for sensitivities.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
@@ -12,12 +12,12 @@ local where = "wear:sensitivity"
 
 local function short(path) return (path:gsub("^model%.", "")) end
 
--- Numbers that set only the length of a run. The results before the end of the run do not depend on them.
+-- Numbers that only set the length of a run. They have no effect on the results before the end of the run.
 local ends = { distance = true, cycles = true }
 
 -- --- names ---------------------------------------------------------------------------------------
 
--- Returns the names of all numbers of wear{} and of the bodies, except the numbers of the mesh.
+-- Returns the names of all numbers of wear{} and the bodies, except those of the mesh.
 local function names_of(definition)
   local names = {}
   for name, value in pairs(definition) do
@@ -29,7 +29,7 @@ local function names_of(definition)
   return names
 end
 
--- Returns the names of the wear coefficients of all bodies that have their own k.
+-- Returns the names of the wear coefficients of bodies that have their own k.
 local function coefficients(definition)
   local names = {}
   for path, value in pairs(definition.flat) do
@@ -66,8 +66,8 @@ end
 
 -- --- changing a number ---------------------------------------------------------------------------
 
--- Returns the value of k_cylinder or k_plate, and a function that returns the definition with another value.
--- In the changed definition both coefficients replace k and alpha.
+-- Returns the value of k_cylinder or k_plate, and a function that returns the definition with a new value. In
+-- the new definition these two coefficients replace k and alpha.
 local function of_couple(run, name, definition)
   local there = { k_cylinder = run.k_cylinder, k_plate = run.k_plate }
   return there[name], function(value)
@@ -77,13 +77,13 @@ local function of_couple(run, name, definition)
   end
 end
 
--- Returns the value at a path. The default radius of a body is the radius of the model.
+-- Returns the value at a path, or nil. A body without a radius has the radius of the model.
 local function value_at(flat, path)
   return flat[path] or path:match("%.radius$") and flat["model.radius"]
 end
 
--- Returns the value of a number of the model, and a function that returns the definition with another value.
--- If the name belongs to both bodies, their values must be equal.
+-- Returns the value of a number of the model, and a function that returns the definition with a new value. If
+-- both bodies have the number, their values must be equal.
 local function of_model(run, name, definition)
   local flat, paths = definition.flat, number.paths(name, definition.flat)
   local there = value_at(flat, paths[1])
@@ -99,8 +99,7 @@ local function of_model(run, name, definition)
   end
 end
 
--- changer.of(run, name, definition) returns the value of a number, and a function set(value) that returns the
--- changed definition.
+-- Returns the value of a number, and a function set(value) that returns the definition with a new value.
 function changer.of(run, name, definition)
   if ends[name] then
     check.fail(where, ("field 'to': %s only sets the end of the run; for results over the distance see "

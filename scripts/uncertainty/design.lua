@@ -1,5 +1,5 @@
--- Makes the cases of a sampled study. The values of each case depend only on the distributions, the design
--- and the seed. Correlations apply to the normal scores of the fields, so each field keeps its distribution.
+-- Makes the cases of a sampled study. The values depend only on the distributions, the design and the seed.
+-- Correlations apply to the normal scores of the fields, so that each field has the given distribution.
 
 local check = require "archard.lib.check"
 local distributions = require "archard.uncertainty.distributions"
@@ -12,8 +12,8 @@ local design = {}
 
 -- --- the fields ----------------------------------------------------------------------------------
 
--- Returns the uncertain fields { name=, distribution= }, sorted by path. `flat` contains the flat settings of
--- the base case.
+-- Returns the list of uncertain fields { name=, distribution= }, sorted by path. flat: flat settings of the
+-- base case.
 local function fields_of(where, given, flat)
   local list, there = {}, {}
   local function add(name, distribution)
@@ -67,7 +67,8 @@ local function check_correlation(where, i, item)
   end
 end
 
--- Returns the correlation matrix from a list { {"k", "alpha", -0.5}, ... }, or nil without correlations.
+-- Returns the correlation matrix of the fields, or nil without correlations. given: list { {"k", "alpha",
+-- -0.5}, ... }.
 local function correlation_of(where, fields, given, flat)
   if given == nil then return nil end
   if type(given) ~= "table" then
@@ -115,7 +116,7 @@ local function cholesky(where, matrix)
   return lower
 end
 
--- Returns the number of cases per point of the design.
+-- Returns the number of cases for each point of the design.
 local function cases_each(sample) return sample.indices and #sample.fields + 2 or 1 end
 
 local function check_count(where, sample)
@@ -136,13 +137,12 @@ local function check_design(where, sample, given)
     check.refuse(where, "n", "at least 16 with indices", sample.n)
   end
   if sample.indices and given.correlated ~= nil then
-    check.fail(where, "field 'indices': indices split the variance among independent fields; these are "
-      .. "correlated")
+    check.fail(where, "field 'indices': indices split the variance among independent fields; the "
+      .. "fields are correlated")
   end
 end
 
--- design.read(where, given) returns the definition of the samples. `given` has the fields base, sample, n,
--- design, seed and indices.
+-- Reads the definition of the samples from the fields base, sample, n, design, seed and indices in `given`.
 function design.read(where, given)
   local flat = settings.flatten(where, given.base or {})
   local sample = { n = given.n or 1024, design = given.design or "sobol", seed = given.seed or 1,
@@ -155,8 +155,8 @@ end
 
 -- --- values --------------------------------------------------------------------------------------
 
--- Returns the values of all fields at point `i` of the design. columns[f][i] is a cumulative probability of
--- field f.
+-- Returns the values of all fields at point `i` of the design. columns[f][i]: cumulative probability of field
+-- f.
 local function values_at(sample, columns, i)
   local values, score = {}, {}
   for f, field in ipairs(sample.fields) do
@@ -172,8 +172,8 @@ local function values_at(sample, columns, i)
   return values
 end
 
--- Adds the cases of one point in Saltelli's design: a first set of values, a second set, and for each field
--- the first set with the value of this field from the second set.
+-- Adds the cases of one point of Saltelli's design: a first set of values, a second set, and, for each field,
+-- the first set with the field's value from the second set.
 local function with_exchanges(sample, columns, i, cases)
   local second, count = {}, #sample.fields
   for f = 1, count do second[f] = columns[count + f] end
@@ -187,7 +187,7 @@ local function with_exchanges(sample, columns, i, cases)
   end
 end
 
--- Returns all cases of the design: n cases or, with indices, n (fields + 2).
+-- Returns all cases of the design: n cases or, with indices, n (number of fields + 2) cases.
 function design.cases(sample)
   local dimensions = #sample.fields * (sample.indices and 2 or 1)
   local columns, cases = random.points(sample.design, sample.n, dimensions, sample.seed), {}
@@ -203,8 +203,8 @@ end
 
 -- --- text in a run file --------------------------------------------------------------------------
 
--- Returns the definition of the samples as text for the run file. The sampled values are stored with the
--- cases.
+-- Returns the definition of the samples as text for the run file. The cases in the file contain the sampled
+-- values.
 function design.text(sample)
   local lines = { ("%s n=%d seed=%d indices=%s"):format(sample.design, sample.n, sample.seed,
     tostring(sample.indices)) }
@@ -214,8 +214,8 @@ function design.text(sample)
   return table.concat(lines, "\n")
 end
 
--- Parses the lines after the first line into fields. Returns nil if a line is invalid or a field occurs
--- twice.
+-- Parses the lines after the first line and returns the list of fields. Returns nil if a line is invalid or a
+-- field occurs twice.
 local function parse_fields(lines)
   local fields, known = {}, {}
   if not lines:find "^\n" then return nil end
@@ -227,7 +227,7 @@ local function parse_fields(lines)
   return fields
 end
 
--- Parses a text of design.text. Returns the definition of the samples, or nil if the text is invalid.
+-- Parses a text made by design.text. Returns the definition of the samples, or nil if the text is invalid.
 function design.parse(text)
   local kind, n, seed, indices, lines = text:match "^(%a+) n=(%d+) seed=(%d+) indices=(%a+)(.*)$"
   local sample = { design = kind, n = math.tointeger(tonumber(n)), seed = math.tointeger(tonumber(seed)),
@@ -238,7 +238,8 @@ function design.parse(text)
   return sample.fields and sample.fields[1] and sample
 end
 
--- Returns a text that describes how the cases of a run file differ from the design, or nil if they agree.
+-- Returns a text that describes how the cases of a run file differ from the design, or nil if they agree with
+-- it.
 function design.missing(sample, flat)
   local count = sample.n * cases_each(sample)
   if count ~= #flat then return ("its samples need %d cases, the file has %d"):format(count, #flat) end

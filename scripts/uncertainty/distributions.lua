@@ -1,5 +1,5 @@
--- Distributions of uncertain numbers: uniform{}, normal{} and lognormal{}. Each has a quantile function,
--- which converts a cumulative probability to a value.
+-- Distributions of uncertain numbers: uniform{}, normal{} and lognormal{}. The quantile function of a
+-- distribution converts a cumulative probability to a value.
 
 local check = require "archard.lib.check"
 local random = require "archard.random"
@@ -7,8 +7,8 @@ local strict = require "archard.strict"
 
 local class = strict.class{ __name = "distribution", __fields = { "kind", "mean", "deviation", "low", "high" } }
 
--- Returns the text of a distribution, such as "normal{ mean=100, deviation=5 }". The text is the Lua code that
--- creates an equal distribution.
+-- Returns a distribution as text, such as "normal{ mean=100, deviation=5 }". As Lua code, the text makes an
+-- equal distribution.
 function class.__tostring(self)
   local parts = {}
   for _, name in ipairs{ "mean", "deviation", "low", "high" } do
@@ -20,7 +20,7 @@ function class.__tostring(self)
   return ("%s{ %s }"):format(self.kind, table.concat(parts, ", "))
 end
 
--- is_text(text) returns true if `text` has the form of a distribution's text.
+-- Returns true if `text` has the form of a distribution's text.
 local kinds = { uniform = true, normal = true, lognormal = true }
 local function is_text(text)
   local kind, inside = text:match "^(%a+){ ([^{}]*) }$"
@@ -34,7 +34,7 @@ end
 
 -- --- the fields ----------------------------------------------------------------------------------
 
--- Returns the fields of a distribution by name. The first two fields may be given by position.
+-- Returns the fields of a distribution by name. The user may give the first two fields by position.
 local function read(kind, order, fields, given)
   if type(given) ~= "table" then
     check.fail(kind, ("expected a table, %s{ %s=, %s= }, got %s"):format(kind, order[1], order[2],
@@ -60,14 +60,14 @@ local function required(kind, given, name, what)
   end
 end
 
--- Raises an error unless low < high.
+-- Raises an error if low >= high.
 local function ordered(kind, low, high)
   if low >= high then
     check.fail(kind, ("fields 'low' and 'high': expected low < high, got %g and %g"):format(low, high))
   end
 end
 
--- Returns the standard deviation, given directly or as variation times |mean|.
+-- Returns the standard deviation, which is the field `deviation` or variation times |mean|.
 local function spread_of(kind, given)
   required(kind, given, "mean", "the mean")
   if (given.deviation == nil) == (given.variation == nil) then
@@ -81,8 +81,9 @@ end
 
 local function same(x) return x end
 
--- Returns a normal distribution of the transformed number, truncated to values in [low, high]. to_scale and
--- from_scale are the transformation and its inverse.
+-- Returns a distribution whose transformed number is normally distributed, truncated to values in [low,
+-- high]. middle, width: mean and standard deviation of the transformed number; to_scale, from_scale: the
+-- transformation and its inverse.
 local function bell(kind, given, middle, width, to_scale, from_scale)
   local low, high = given.low or -math.huge, given.high or math.huge
   ordered(kind, low, high)
@@ -110,9 +111,9 @@ function distributions.normal(given)
   return bell("normal", given, given.mean, spread_of("normal", given), same, same)
 end
 
-local widest = 10 -- largest deviation / mean; a larger value was probably meant as the variation
+local widest = 10 -- largest ratio of deviation and mean; a larger deviation was probably meant as the variation
 
--- The mean and the deviation belong to the number itself, not to its logarithm.
+-- The fields mean and deviation describe the number itself, not its logarithm.
 function distributions.lognormal(given)
   given = read("lognormal", { "mean", "deviation" }, bell_fields, given)
   local deviation = spread_of("lognormal", given)

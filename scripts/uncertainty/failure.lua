@@ -1,5 +1,5 @@
--- s:failure{} returns the probability that a result exceeds a limit, during the run or before a distance. It
--- is estimated as the fraction of samples that exceed the limit.
+-- Lua method s:failure{}: returns the probability that a result exceeds a limit, during the run or before a
+-- distance. The probability is estimated as the fraction of samples that exceed the limit.
 
 local check = require "archard.lib.check"
 local history_at = require "archard.lib.history_at"
@@ -15,7 +15,7 @@ local class = strict.class{ __name = "failure", __fields = { "of", "above", "bel
 local fields = { of = check.text, above = check.number, below = check.number, before = check.positive,
   confidence = check.share }
 
--- Returns a function(value) that returns true for values beyond the limit.
+-- Returns a function(value) that returns true if the value exceeds the limit.
 local function test_of(given)
   if (given.above == nil) == (given.below == nil) then
     check.fail(where, ("fields 'above' and 'below': expected one of them, got %s"):format(
@@ -33,7 +33,7 @@ local function check_reached(history, before)
   end
 end
 
--- Returns true if the result is beyond the limit in a row of the history up to the distance `before` [mm], or
+-- Returns true if the result exceeds the limit in any row of the history up to the distance `before` [mm], or
 -- at this distance. Without `before`, all rows are checked.
 local function passes(history, name, past, before)
   check_reached(history, before)

@@ -1,4 +1,4 @@
--- Fields of study{} that are allowed only together with `sample`.
+-- Fields of study{} that are allowed only together with the field `sample`.
 
 local check = require "archard.lib.check"
 

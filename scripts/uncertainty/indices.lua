@@ -1,12 +1,12 @@
--- Computes Sobol's indices from Saltelli's design: the share of a result's variance that each field causes
--- alone (first order) and with its interactions (total order, Jansen 1999). The first order has two
--- estimates, one accurate for small indices (Saltelli et al. 2010), the other for large indices (Janon et al.
--- 2014); the estimate with the smaller error is used. Errors are computed for random points as errors of
--- ratios of means (delta method). For evenly spread points they are an upper bound.
+-- Computes Sobol indices from Saltelli's design: the shares of a result's variance that a field causes alone
+-- (first order) and together with its interactions (total order, Jansen 1999). The first order has two
+-- estimates: one is accurate for small indices (Saltelli et al. 2010), the other for large indices (Janon et
+-- al. 2014). The estimate with the smaller error is used. Errors are those of ratios of means (delta method)
+-- for random points; for evenly spread points they are an upper bound.
 
 local indices = {}
 
--- Returns the ratio mean(g) / mean(v) and its standard error.
+-- Returns the ratio of the means of the lists g and v, and its standard error.
 local function ratio(g, v)
   local n, sum_g, sum_v = #g, 0, 0
   for i = 1, n do sum_g, sum_v = sum_g + g[i], sum_v + v[i] end
@@ -21,8 +21,8 @@ local function middle_of(a, b)
   return sum / (2 * #a)
 end
 
--- Returns the ratio of the mean of product(da, db, i) to the variance of both lists; da and db are deviations
--- from `mean`.
+-- Returns the mean of product(da, db, i) divided by the variance of both lists. da, db: deviations of a[i]
+-- and b[i] from `mean`.
 local function by(a, b, mean, product)
   local g, v = {}, {}
   for i = 1, #a do
@@ -32,17 +32,17 @@ local function by(a, b, mean, product)
   return ratio(g, v)
 end
 
--- Returns the first-order index of a field. The second and the mixed set have only this field in common, so
--- their covariance is the contribution of the field.
+-- Returns the first-order index of a field. The second set and the mixed set have only this field in common,
+-- so their covariance is the contribution of the field.
 local function first_of(a, b, mixed, mean)
   local little = by(a, b, mean, function(_, db, i) return db * (mixed[i] - a[i]) end)
   local most = by(b, mixed, middle_of(b, mixed), function(db, dm) return db * dm end)
   return most.error < little.error and most or little
 end
 
--- indices.of(a, b, mixed) returns the index of first and of total order, each { value=, error= }, or nil if
--- the result does not vary. a, b: results of the first and the second sets; mixed: results of the first sets
--- with one field from the second sets.
+-- Returns the indices of first and of total order, each as { value=, error= }, or nil if the result is
+-- constant. a, b: results of the first and the second sets; mixed: results of the first sets with one field
+-- from the second sets.
 function indices.of(a, b, mixed)
   local mean, varies = middle_of(a, b), false
   for i = 1, #a do varies = varies or a[i] ~= a[1] or b[i] ~= a[1] end

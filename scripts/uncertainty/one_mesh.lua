@@ -1,10 +1,11 @@
--- Chooses one mesh for all samples if the user gave no mesh: the mesh of the case with the median values. A
--- separate mesh for each sample would double the run time and add differences between meshes to the results.
+-- Chooses a common mesh for all samples if the user gave no mesh. It is the mesh of the case with median
+-- values. A separate mesh for each sample would double the run time and add differences between meshes to the
+-- results.
 
 local settings = require "archard.definition.settings"
 
--- largest_change: largest ratio of element sizes for which one common mesh is used. may_change(name): true
--- for settings that change the size of the mesh.
+-- largest_change: largest ratio of element sizes for which a common mesh is used. may_change(name): returns
+-- true if a setting changes the element size.
 local largest_change = 1.5
 local function may_change(name) return name == "load" or name:match("^model%.") ~= nil end
 
@@ -16,7 +17,7 @@ local function has_own(flat)
   return false
 end
 
--- Returns the element size [mm] that a case has by default.
+-- Returns the default element size [mm] of a case.
 local function size_of(flat)
   local run <close> = wear(settings.nest(flat))
   return run.model.mesh.size
@@ -26,7 +27,7 @@ local function with(flat, values)
   return settings.join("study", flat, values)
 end
 
--- Returns the largest factor, at least 1, by which the samples of one field change the element size.
+-- Returns the factor (>= 1) by which the samples of one field change the element size at most.
 local function change_of(flat, middle, size, name)
   local low, high = flat[1][name], flat[1][name]
   for _, case in ipairs(flat) do low, high = math.min(low, case[name]), math.max(high, case[name]) end
@@ -49,8 +50,8 @@ local function find_size(sample, flat)
   return change <= largest_change and size or nil
 end
 
--- Sets a common element size in the flat settings of all cases. Changes nothing if a case cannot be created,
--- because the run reports this error, or if the contacts differ too much for one mesh.
+-- Sets a common element size in the flat settings of all cases. Changes nothing if the contacts differ too
+-- much for one mesh, or if a case is invalid, which the run will report.
 return function(sample, flat)
   local matters = false
   for _, field in ipairs(sample.fields) do matters = matters or may_change(field.name) end

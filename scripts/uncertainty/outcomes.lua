@@ -1,5 +1,5 @@
--- Reads the results of a sampled study at common distances, in the order of the design. Failed cases are left
--- out and counted.
+-- Reads the results of a sampled study at common distances, in the order of the design. Failed cases are
+-- counted and omitted.
 
 local check = require "archard.lib.check"
 local columns = require "archard.settings".columns
@@ -10,8 +10,8 @@ local measure = require "archard.measure"
 
 local outcomes = {}
 
--- Returns the unit of a history column, or "" if it has none. Columns of depths and volumes may contain names
--- of bodies.
+-- Returns the unit of a history column, or "" if it has none. Names of depth and volume columns may contain
+-- names of bodies.
 function outcomes.unit(name)
   local of_bodies = { depth = "mm", volume = "mm3" }
   for _, column in ipairs(columns) do
@@ -26,8 +26,8 @@ function outcomes.usual(run)
   return { "depth_" .. bodies.upper, "depth_" .. bodies.lower, run.history.p_center and "p_center" or "p_peak" }
 end
 
--- Checks a name of a history column or a list of names, and returns a list. Names may contain the user's
--- names of bodies.
+-- Checks the name of a history column, or a list of names, and returns a list of names. Names may contain
+-- names that the user gave to bodies.
 function outcomes.names(where, of, history)
   local list = type(of) == "table" and of or { of }
   for _, name in ipairs(list) do
@@ -40,7 +40,7 @@ function outcomes.names(where, of, history)
   return list
 end
 
--- Returns the rows of all cases in the run file. Raises an error if a case has not run.
+-- Returns the rows of all cases in the run file. Raises an error if a case has not been run.
 function outcomes.rows(study, where)
   if not study.sample then
     check.fail(where, ("study %s has no samples: create it with study{ sample={...} }"):format(study.name))
@@ -56,13 +56,13 @@ function outcomes.rows(study, where)
 end
 
 -- Returns true if the case with this number is a sample of the distributions. With indices, only the first
--- two cases of each point are samples.
+-- two cases of each point are samples; the other cases are mixtures of these two.
 function outcomes.is_sample(study, number)
   return not study.sample.indices or (number - 1) % (#study.sample.fields + 2) < 2
 end
 
--- Returns a list with true for each row that is used, and the number of failed cases. With indices, a row is
--- used only if all cases of its point have finished.
+-- Returns a list with true for each used row, and the number of failed cases. With indices, a row is used
+-- only if all cases of its point are finished.
 local function counted(study, rows)
   local kept, group, left_out = {}, study.sample.indices and #study.sample.fields + 2 or 1, 0
   for first = 1, #rows, group do
@@ -76,15 +76,15 @@ local function counted(study, rows)
   return kept, left_out
 end
 
--- Returns the history of a finished case. Raises ARC_FORMAT if it is missing, which means that the file is
--- damaged.
+-- Returns the history of a finished case. Raises an error (ARC_FORMAT) if it is missing, because the file is
+-- then damaged.
 local function history_of(store, where, id)
   local history = joint_file.history(store, id)
   if history then return history end
   check.fail(where, ("%s: the file is damaged: case %d is done and has no history"):format(store.path, id), "FORMAT")
 end
 
--- Returns the first finished case of a study. Raises an error if there is none or if its history is missing.
+-- Returns the first finished case of a study. Raises an error if there is none, or if its history is missing.
 function outcomes.first(study, where)
   for i, row in ipairs(outcomes.rows(study, where)) do
     if row.status == "done" and history_of(study:store(), where, row.id) then return study:cases()[i] end
@@ -92,8 +92,8 @@ function outcomes.first(study, where)
   check.fail(where, "fewer than two cases have results")
 end
 
--- Calls visit(number, history, index) for every case used: `number` counts the used cases, `index` is the
--- number of the case in the study. Returns the number of failed cases and the number of cases used.
+-- Calls visit(number, history, index) for each used case. number: number of the case among the used cases;
+-- index: its number in the study. Returns the number of failed cases and the number of used cases.
 function outcomes.each(study, where, visit)
   local rows = outcomes.rows(study, where)
   local kept, failed = counted(study, rows)
@@ -108,7 +108,8 @@ function outcomes.each(study, where, visit)
   return failed, number
 end
 
--- Returns the given distances, or 50 evenly spaced distances up to the end of the shortest case [mm].
+-- Returns the distances `at` or, without `at`, 50 evenly spaced distances [mm] up to the end of the shortest
+-- case.
 local function grid(at, shortest)
   if at then return at end
   local list = {}
@@ -124,9 +125,8 @@ local function shortest_of(study, where)
   return shortest
 end
 
--- outcomes.read(study, where, names, at) returns { distance=, n=, failed=, index=, values= }.
--- values[name][g][i] is the value of the i-th used case at distance g; index[i] is the number of this case in
--- the study.
+-- Returns { distance=, n=, failed=, index=, values= }. values[name][g][i]: value of the i-th used case at
+-- distance g; index[i]: number of this case in the study.
 function outcomes.read(study, where, names, at)
   local shortest = shortest_of(study, where)
   local result = { distance = grid(at, shortest), values = {}, index = {} }

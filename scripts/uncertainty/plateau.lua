@@ -1,7 +1,7 @@
--- Derivatives of a function with many results, by central differences with decreasing steps. Each difference
--- is extrapolated with the difference of the next smaller step (Richardson). For each result, the
--- extrapolated value that differs least from its neighbours is used: larger steps average over kinks of the
--- function, and smaller steps are dominated by noise.
+-- Computes derivatives of a function with many results by central differences with decreasing steps. Each
+-- difference is extrapolated with the difference of the next smaller step (Richardson). Larger steps average
+-- over kinks of the function, and smaller steps are dominated by noise. Therefore, for each result, the
+-- extrapolated value that differs least from its neighbours is used.
 
 local levels, shrink = 8, 5
 
@@ -10,7 +10,7 @@ local function extrapolated(wide, narrow)
   return (shrink * shrink * narrow - wide) / (shrink * shrink - 1)
 end
 
--- Returns { value=, error= }: the value of the list that differs least from its neighbours, and this
+-- Returns { value=, error= }: the item of the list that differs least from its neighbours, and this
 -- difference.
 local function flattest(list)
   local best = { value = list[1], error = math.huge }
@@ -21,8 +21,8 @@ local function flattest(list)
   return best
 end
 
--- Called as derive(differences, step). differences(h) returns a list of (f(x + h) - f(x - h)) / (2 h), one
--- for each result; `step` is the largest h. Returns a list of { value=, error= }.
+-- Computes the derivatives of all results. differences(h): function that returns a list of (f(x + h) - f(x -
+-- h)) / (2 h), one for each result; step: largest h. Returns a list of { value=, error= }.
 return function(differences, step)
   local lists, before = {}, differences(step)
   for m = 1, #before do lists[m] = {} end

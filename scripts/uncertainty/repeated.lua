@@ -1,4 +1,4 @@
--- Repeats a finished run from its definition, unchanged or with one changed number, for sensitivities.
+-- Repeats a finished run from its definition, for sensitivities. The definition may be changed in one number.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
@@ -16,11 +16,11 @@ local function loading_of(blocks)
   return blocks
 end
 
--- Fields that may be 0 in a definition. For other fields, 0 means that the user did not give the field.
+-- Fields that may be 0 in a definition. In all other fields, 0 means that the user did not give the field.
 local zeros = { alpha = true, friction = true, refresh = true }
 
--- Adds the flat settings of the model to the definition. Removes k and alpha if a body has its own wear
--- coefficient.
+-- Adds the flat settings of the model to the definition. Removes k and alpha from it if a body has its own
+-- wear coefficient.
 local function take_coefficients(definition)
   definition.flat = settings.flatten(where, { model = definition.model })
   for path, value in pairs(definition.flat) do
@@ -28,7 +28,7 @@ local function take_coefficients(definition)
   end
 end
 
--- Returns the definition of a run of the engine (for runs of joints see joint/run.lua).
+-- Returns the definition of a run that is not a joint; see joint/run.lua for joints.
 local function of_engine(run)
   local there = settings.nest(joint_file.definition(run))
   local definition = { model = run.model, loading = loading_of(there.loading) }
@@ -51,16 +51,16 @@ function repeated.definition(run)
   return repeated.with_steps(run, definition)
 end
 
--- Returns the number of cycles of the history step that begins at a distance [mm].
+-- Returns the number of cycles in the step of the history that begins at a distance [mm].
 local function step_from(history, distance)
   local i = 2
   while history.distance[i + 1] and history.distance[i] <= distance * (1 + 1e-9) do i = i + 1 end
   return history.cycle[i] - history.cycle[i - 1]
 end
 
--- Returns the definition with which a run is repeated. A run with automatic steps is repeated with the same
--- steps; new automatic steps for every changed number would hide small changes in noise. The repetition is
--- implicit, because the steps may be long.
+-- Returns the definition for the repetition of a run. A run with automatic steps is repeated with the same
+-- steps, because new automatic steps for each changed number would hide small changes in noise. The
+-- repetition is implicit, because the steps may be long.
 function repeated.with_steps(run, definition)
   if not (definition.tolerance or definition.jump == "auto") then return definition end
   definition.tolerance, definition.steps_chosen = nil, run.history
@@ -76,7 +76,8 @@ end
 
 -- --- running -------------------------------------------------------------------------------------
 
--- Returns the indices of the history rows at the distances [mm]. Each distance must have a row.
+-- Returns the indices of the history rows at the given distances [mm]. The history must have a row at each
+-- distance.
 local function rows_at(history, distances)
   local rows, at = {}, 1
   for i, d in ipairs(distances) do
@@ -106,9 +107,8 @@ local function run_to(definition, distances, names)
   return list
 end
 
--- repeated.run(definition, distances, names) returns a flat list: for each column its values at the
--- distances, at which the repeated run also ends a step. Warnings are suppressed, because the original run
--- has already reported them.
+-- Repeats a run. Returns one flat list with the values of each column at the distances [mm]; the repeated run
+-- ends a step at each distance. Warnings are suppressed, because the original run has already reported them.
 function repeated.run(definition, distances, names)
   return quiet(run_to, definition, distances, names)
 end

@@ -1,5 +1,5 @@
--- s:uncertainty{} returns mean, deviation and quantiles of the results of all samples over the distance, the
--- contribution of each field, and the convergence of the estimates.
+-- Lua method s:uncertainty{}: returns mean, deviation and quantiles of the results of all samples over the
+-- distance, the contribution of each field, and the convergence of the estimates.
 
 local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
@@ -35,7 +35,7 @@ local function picked(values, positions)
   return list
 end
 
--- Adds the estimates from one list of samples to the columns of `result`, at row `g`.
+-- Adds the estimates from one list of samples to the columns of `result` in row `g`.
 local function add_estimates(result, g, list, quantiles, reach)
   local sorted = sampled.sorted(list)
   result.mean[g], result.deviation[g], result.mean_error[g] = sampled.moments(list, reach)
@@ -70,7 +70,7 @@ end
 
 -- --- contribution of each field ------------------------------------------------------------------
 
--- Returns every group-th value of a list, beginning with index `first`.
+-- Returns every group-th value of a list, from index `first` on.
 local function strided(values, first, group)
   local list = {}
   for i = first, #values, group do list[#list + 1] = values[i] end
@@ -95,7 +95,7 @@ local function columns_by_name(names)
   return list
 end
 
--- Returns the rank correlation of each field with the values at the last distance.
+-- Returns the rank correlation between each field and the values at the last distance.
 local function rank_correlations(study, names, index, positions, last)
   local result = {}
   for _, name in ipairs(names) do
@@ -163,8 +163,8 @@ local function add_rows(lines, rows)
   for _, line in ipairs(aligned(rows)) do lines[#lines + 1] = "  " .. line end
 end
 
--- Returns a text with the relative changes of the mean, the deviation and the outermost quantile when the
--- number of samples was last doubled.
+-- Returns a text about the last doubling of the number of samples: the relative changes of the mean, the
+-- deviation and the highest quantile.
 local function convergence_line(self, name)
   local course = self[name].convergence
   local n = #course.n
@@ -191,7 +191,7 @@ function class.__tostring(self)
   return table.concat(lines, "\n")
 end
 
--- Returns a note if n is not a power of 2. Sobol's points are evenly distributed only for powers of 2.
+-- Returns a note if n is not a power of 2, since Sobol points are evenly distributed only for powers of 2.
 local function uneven(sample)
   local power = 2 ^ math.floor(math.log(sample.n, 2) + 1e-9)
   if sample.design ~= "sobol" or sample.n == power then return nil end

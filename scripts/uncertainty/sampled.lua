@@ -1,4 +1,4 @@
--- Statistics of samples: moments, quantiles and probabilities with their confidence ranges.
+-- Computes statistics of samples: moments, quantiles and probabilities, with their confidence ranges.
 
 local random = require "archard.random"
 local statistics = require "archard.lib.statistics"
@@ -11,7 +11,7 @@ function sampled.sorted(list)
   return copy
 end
 
--- Returns a quantile of sorted samples, interpolated linearly between two samples.
+-- Returns a quantile of sorted samples by linear interpolation between two samples.
 function sampled.quantile(sorted, share)
   local at = 1 + share * (#sorted - 1)
   local low = math.floor(at)
@@ -19,11 +19,11 @@ function sampled.quantile(sorted, share)
   return sorted[low] + (at - low) * (sorted[high] - sorted[low])
 end
 
--- Returns the half width of a two-sided confidence range, in standard deviations.
+-- Returns half the width of a two-sided confidence range, in standard deviations.
 function sampled.reach(confidence) return random.normal_quantile((1 + confidence) / 2) end
 
--- Returns two samples: the limits of the confidence range of the quantile at `share`, from the binomial
--- distribution of the ranks. reach: half width of the range, in standard deviations.
+-- Returns the two samples that limit the confidence range of the quantile at `share`, computed from the
+-- binomial distribution of the ranks. reach: half the width of the range in standard deviations.
 function sampled.quantile_range(sorted, share, reach)
   local n = #sorted
   local margin = reach * math.sqrt(n * share * (1 - share))
@@ -31,14 +31,14 @@ function sampled.quantile_range(sorted, share, reach)
   return sorted[math.max(low, 1)], sorted[math.min(high, n)]
 end
 
--- Returns the mean, the standard deviation, and the half width of the confidence range of the mean.
+-- Returns the mean, the standard deviation, and half the width of the confidence range of the mean.
 function sampled.moments(list, reach)
   local mean, deviation = statistics.mean(list), statistics.deviation(list)
   return mean, deviation, reach * deviation / math.sqrt(#list)
 end
 
--- Returns the confidence range of a probability that was observed in `count` of n samples (Clopper and
--- Pearson).
+-- Returns the confidence range (Clopper and Pearson) of the probability of an event that occurred in `count`
+-- of n samples.
 function sampled.share_range(count, n, confidence)
   local out = (1 - confidence) / 2
   local low = count > 0 and random.beta_quantile(out, count, n - count + 1) or 0
@@ -46,7 +46,7 @@ function sampled.share_range(count, n, confidence)
   return low, high
 end
 
--- Returns Spearman's rank correlation of two lists, or nil if one of them is constant.
+-- Returns Spearman's rank correlation of two lists, or nil if a list is constant.
 function sampled.rank_correlation(a, b)
   local value = random.rank_correlation(a, b)
   return value == value and value or nil

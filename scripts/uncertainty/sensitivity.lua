@@ -1,6 +1,6 @@
--- w:sensitivity{ of=, to= } returns derivatives and elasticities of results with respect to numbers of the
--- definition, over the whole history and with their errors. uncertainty/plateau.lua differentiates smooth
--- results, uncertainty/slope.lua results that change in steps from node to node.
+-- Lua method w:sensitivity{ of=, to= }: returns derivatives and elasticities of results with respect to
+-- numbers of the definition, with their errors, at all distances of the history. uncertainty/plateau.lua
+-- differentiates smooth results, uncertainty/slope.lua results that change in steps from node to node.
 
 local aligned = require "archard.lib.aligned"
 local changer = require "archard.uncertainty.changer"
@@ -31,7 +31,7 @@ local function names_of(name, given, usual)
   return list
 end
 
--- Returns the distances of the history [mm], without the start of the run.
+-- Returns the distances of the history [mm] without the start of the run.
 local function distances_of(run)
   local list = {}
   for i, d in ipairs(run.history.distance) do
@@ -49,14 +49,16 @@ local function values_of(run, names)
   return list
 end
 
--- Returns the relative tolerance between a run and its repetition. Automatic steps are corrected by their
--- error estimate, but repeated steps are not. In other runs the distances of steps have rounding errors.
+-- Returns the relative tolerance for differences between a run and its repetition. It is larger for automatic
+-- steps, because these are corrected by their error estimate, and repeated steps are not. In other runs, the
+-- repeated distances have rounding errors.
 local function tolerance_of(definition) return definition.steps_chosen and 0.02 or 1e-9 end
 
--- Raises an error if the definition does not reproduce the run, as changed runs would not be comparable with it.
+-- Raises an error if the definition does not reproduce the run, because changed runs could then not be
+-- compared with it.
 local function check_repeats(run, definition, distances)
   local state = outcomes.usual(run)
-  if state[3] == "p_peak" then state[3] = nil end -- p_peak is not compared: it changes from step to step
+  if state[3] == "p_peak" then state[3] = nil end -- p_peak is not compared, because it changes from step to step
   local again, tolerance = repeated.run(definition, distances, state), tolerance_of(definition)
   for i, value in ipairs(values_of(run, state)) do
     if math.abs(value - again[i]) > tolerance * math.abs(value) then
@@ -68,10 +70,11 @@ end
 
 -- --- one number ----------------------------------------------------------------------------------
 
--- First relative change of the number for differences, and its smallest value near the end of the valid range.
+-- first_step: first relative change of the number for differences; smallest_step: smallest change, used near
+-- the end of the valid range.
 local first_step, smallest_step = 0.03, 0.0004
 
-local counting -- counter of the runs in the current call
+local counting -- counter of the runs in the current call, for the progress display
 
 local function results_at(self, definition)
   self.runs = self.runs + 1
@@ -79,9 +82,9 @@ local function results_at(self, definition)
   return repeated.run(definition, self.distance, self.of)
 end
 
--- Returns a function(h) that computes central differences of the results: those at value + h minus those at
--- value - h, divided by 2 h. set(x) returns the definition of the run with the number x, which the function
--- `changed`, if given, modifies.
+-- Returns a function(h) that computes central differences: (results at value + h - results at value - h) / (2
+-- h). set(x) returns the definition with the number x; `changed`, if given, is a function that modifies this
+-- definition.
 local function differences_for(self, value, set, changed)
   local function results(at)
     local definition = set(at)
@@ -95,16 +98,16 @@ local function differences_for(self, value, set, changed)
   end
 end
 
--- Returns the central differences for a change h, with every step of the run divided into `parts` equal steps.
+-- Returns the central differences for a change h in runs whose steps are divided into `parts` equal steps.
 local function with_parts(self, value, set, h, parts)
   return differences_for(self, value, set, function(definition)
     return repeated.in_parts(definition, parts)
   end)(h)
 end
 
--- Numbers of parts into which refined runs divide each step. Automatic steps cause an error of the derivative. It is
--- corrected by runs with divided steps; the remaining error is at most twice the change of the last halving plus a
--- quarter of the correction.
+-- Numbers of parts into which refined runs divide each step. Automatic steps cause an error of the
+-- derivative, which runs with divided steps correct. The remaining error is at most twice the change by the
+-- last halving plus a quarter of the correction.
 local coarse_parts, fine_parts = 4, 8
 
 local function step_error(whole, coarse, fine)
@@ -126,11 +129,12 @@ end
 
 -- --- results that change in steps ----------------------------------------------------------------
 
--- Largest relative change of the number; number of runs on each side; ripple above which a slope is used.
+-- widest: largest relative change of the number; side: number of runs on each side; rippled: ripple above
+-- which the slope over a range is used.
 local widest, side, rippled = 0.24, 8, 0.03
 
--- Returns the points and results of all runs. The outermost runs are first, because they fail if the number
--- would leave its valid range.
+-- Returns the points and the results of all runs. The outermost runs are computed first, because they fail if
+-- the number leaves its valid range.
 local function wide_runs(self, value, set, share)
   local points, lists = {}, {}
   for j = side, 0, -1 do
@@ -151,8 +155,8 @@ local function in_order(points, lists, m)
   return t, y
 end
 
--- Replaces the derivatives of results that change in steps by slopes over a wide range of the input. `over` is
--- the largest relative change of the input.
+-- Replaces the derivatives of results that change in steps by slopes over a wide range of the number. over:
+-- largest relative change of the number.
 local function replace_rippled(self, value, set, definition, found, over)
   local share, fine, points, lists = 2 * over, false, nil, nil
   while not fine and share > 2 * first_step do
@@ -170,8 +174,8 @@ local function replace_rippled(self, value, set, definition, found, over)
   end
 end
 
--- Returns the derivatives with respect to one number. The first step is reduced if a run fails at the end of
--- the valid range.
+-- Returns the derivatives with respect to one number. If a run fails at the end of the number's valid range,
+-- the first step is reduced.
 local function derivatives(self, name, value, set, definition)
   if value == 0 then
     check.fail(where, ("field 'to': %s is 0 and cannot be changed by a percentage"):format(name))
@@ -188,13 +192,13 @@ local function derivatives(self, name, value, set, definition)
     400 * step, why.message), why.code)
 end
 
--- Returns the elasticity, which is 0 if the derivative is 0 (the result may then be 0 too).
+-- Returns the elasticity. It is 0 if the derivative is 0, even if the result is 0.
 local function elastic(derivative, value, result)
   return derivative == 0 and 0 or derivative * value / result
 end
 
--- Writes derivatives and elasticities to self[column][name]. `there` contains the results and their errors in
--- the order of `found`.
+-- Stores derivatives and elasticities in self[column][name]. there: results and their errors, in the order of
+-- `found`.
 local function into_columns(self, name, value, found, there)
   local n = #self.distance
   for c, column in ipairs(self.of) do
@@ -211,8 +215,8 @@ local function into_columns(self, name, value, found, there)
   end
 end
 
--- Returns the results of the unchanged run to which elasticities refer, with their errors. Only automatic
--- steps cause an error.
+-- Returns the results of the unchanged run, to which elasticities refer, with their errors. Results of runs
+-- without automatic steps have no error.
 local function results_of(self, run, definition)
   local there = values_of(run, self.of)
   if not definition.steps_chosen then

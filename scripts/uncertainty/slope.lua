@@ -1,11 +1,11 @@
 -- Computes the slope of a result over many values of a number by least squares. Half widths and pressures
--- change in small steps when the contact edge moves from node to node. A local derivative would therefore
--- depend on the mesh; a line through runs over several nodes does not.
+-- change in small steps when the contact edge moves from node to node, so a local derivative would depend on
+-- the mesh. A line fitted to runs over several nodes does not.
 
 local least_squares = require "archard.least_squares"
 local statistics = require "archard.lib.statistics"
 
--- Returns the powers 0 to `degree` of all points as a flat list, point by point.
+-- Returns the powers 0 to `degree` of all points in one flat list, point by point.
 local function powers(points, degree)
   local flat = {}
   for _, t in ipairs(points) do
@@ -14,8 +14,8 @@ local function powers(points, degree)
   return flat
 end
 
--- Fits a polynomial. Returns its slope at 0, the standard error of the slope, the scatter of the values, and
--- the value of the polynomial at 0.
+-- Fits a polynomial to values. Returns its slope at 0, the standard error of the slope, the scatter of the
+-- values, and the polynomial at 0.
 local function polynomial(points, values, degree)
   local n, sum, slope, variance, middle = degree + 1, 0, 0, 0, 0
   local u, s, v = least_squares.svd{ a = powers(points, degree), rows = #points, columns = n }
@@ -32,14 +32,14 @@ local function polynomial(points, values, degree)
   return slope, scatter * math.sqrt(variance), scatter, middle
 end
 
--- Factor on the standard error, because the deviations of neighbouring runs are correlated.
+-- Factor of the standard error, because deviations of neighbouring runs are correlated.
 local doubt = 2
 
 local rounding = 1e-10 -- a relative scatter below this limit is rounding error
 
--- slope(points, values) returns { value =, error =, middle =, scatter =, ripple = }. points: evenly spaced,
--- on one or both sides of 0, in units of their range. middle: result at 0. scatter: scatter of a result.
--- ripple: scatter of the slope between neighbouring points, divided by the slope.
+-- Returns { value =, error =, middle =, scatter =, ripple = }: slope and its error, result at 0, scatter of a
+-- result, and scatter of the slope between neighbouring points divided by the slope. points: evenly spaced
+-- positions on one or both sides of 0, in units of their range.
 return function(points, values)
   local even, even_error, _, middle = polynomial(points, values, 2)
   local cubic, cubic_error, scatter = polynomial(points, values, 3)

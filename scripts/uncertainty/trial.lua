@@ -1,5 +1,5 @@
--- Checks before a sampled study starts that the smallest and the largest sampled value of each field can be
--- run, and that they change the result. The check costs two runs for each field.
+-- Checks, before a sampled study starts, that the smallest and the largest sampled value of each field are
+-- valid and change the result. The check needs two runs for each field.
 
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
@@ -13,7 +13,7 @@ local function ends_of(flat, name)
   return low, high
 end
 
--- Returns the history of the first case with the field set to `value`, or false if the run fails.
+-- Returns the history of the first case with the field `name` set to `value`, or false if the run fails.
 local function history_with(flat, name, value)
   local made, run = pcall(wear, settings.nest(merged(flat[1], { [name] = value })))
   if not made then
@@ -28,7 +28,8 @@ local function history_with(flat, name, value)
   return fine and history
 end
 
--- Columns that only repeat settings. same(a, b) ignores them and returns true if two histories agree.
+-- Columns that only repeat settings. same(a, b) ignores these columns and returns true if two histories are
+-- equal.
 local setting_columns = { load = true, k = true, alpha = true, jump = true }
 
 local function equal(x, y)
@@ -46,8 +47,8 @@ local function same(a, b)
   return true
 end
 
--- Raises an error for a field without any effect, which another field may replace. An index of 0 for this field would
--- be misleading.
+-- Raises an error if a field has no effect, for example because another field replaces it. An index of 0 for
+-- this field would be misleading.
 return function(study)
   for _, field in ipairs(study.sample.fields) do
     local low, high = ends_of(study.flat, field.name)

@@ -1,5 +1,6 @@
 -- Tests fit and fit.design: refused input, results, notes, run files, pictures.
--- Ordinary collector settings are used (see tests/run): continuous garbage collection would only slow this code down.
+-- Ordinary collector settings: even under sanitizers this file is run without continuous garbage collection,
+-- which would only slow it down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -24,13 +25,14 @@ near(f.value.k, 1.4e-8, 1e-5, "k from exact data")
 near(f.value.alpha, 0.3, 1e-5, "alpha from exact data")
 near(f.data[1].place.shift.value, 0.004, 1e-4, "the shift of a profile")
 near(f.data[1].place.level.value, 1e-4, 1e-4, "the level of a profile")
-ok(f.low.k < 1.4e-8 and f.high.k > 1.4e-8 and f.error.k > 0, "a range")
+ok(f.low.k < 1.4e-8 and f.high.k > 1.4e-8 and f.error.k > 0, "the 95 % range contains the true k")
 is(f.freedom, #data[1].profile.x + #data[2].profile.x + 1 - 8, "degrees of freedom")
-is(f.wear.distance, 220.0, "the run is at the last measurement")
-near(f.wear.k, f.value.k, 1e-15, "with the values found")
+is(f.wear.distance, 220.0, "the run of a fit is at the last measured distance")
+near(f.wear.k, f.value.k, 1e-15, "the run of a fit has the fitted k")
 f.wear:run{ distance = 300 }
-is(f.wear.distance, 300.0, "the run of a fit continues")
-ok(f.data[2].low[20] < f.data[2].model[20] and f.data[2].model[20] < f.data[2].high[20], "a band")
+is(f.wear.distance, 300.0, "the run of a fit can be continued")
+ok(f.data[2].low[20] < f.data[2].model[20] and f.data[2].model[20] < f.data[2].high[20],
+  "the band contains the fitted profile")
 holds(tostring(f), { "k ", "mm2/N", "correlations", "profile of the plate at 220 mm", "chi2",
   "rms of residual / error" }, "print(f)")
 
@@ -43,41 +45,43 @@ for i = 1, #surface.x do
 end
 g = fit{ base = base, unknown = { k = { start = 1e-8 }, alpha = { start = 0.5 } }, data = {
   { body = "plate", distance = 220, profile = profile(aside):depth(), error = 2e-5 } } }
-near(g.value.k, 1.4e-8, 1e-2, "a scar at x = 2.1 mm gives k all the same")
-near(g.data[1].place.shift.value, 2.1, 1e-3, "a scar at x = 2.1 mm: its shift")
+near(g.value.k, 1.4e-8, 1e-2, "k from a scar at x = 2.1 mm")
+near(g.data[1].place.shift.value, 2.1, 1e-3, "shift of a scar at x = 2.1 mm")
 fails(function()
   fit{ base = base, unknown = { k = { start = 1e-8 } }, data = { { body = "plate", distance = 220, profile = profile(aside), error = 2e-5 } } }
-end, "expected depths, got heights: p:depth()", "a trace of heights")
+end, "expected depths, got heights: p:depth()", "a profile of heights instead of depths")
 local lists = profile(aside):depth()
 g = fit{ base = base, unknown = { k = { start = 1e-8 }, alpha = { start = 0.5 } }, data = {
   { body = "plate", distance = 220, x = lists.x, h = lists.h, error = 2e-5 } } }
-near(g.value.k, 1.4e-8, 1e-2, "lists x and h of a scar at x = 2.1 mm: k")
-near(g.data[1].place.shift.value, 2.1, 1e-3, "lists x and h of a scar at x = 2.1 mm: the shift")
+near(g.value.k, 1.4e-8, 1e-2, "lists x and h of a scar at x = 2.1 mm: fitted k")
+near(g.data[1].place.shift.value, 2.1, 1e-3, "lists x and h of a scar at x = 2.1 mm: fitted shift")
 
 -- --- standard errors by theory -------------------------------------------------------------------
+
 -- Tests the standard error of k from volumes: after little wear the volume is k L d alpha, so the relative
 -- error of k equals that of the mean volume.
 local volumes = { of = "volume", distance = { 55, 110, 165, 220 }, relative = 0.03,
   value = { 55e-6, 110e-6, 165e-6, 220e-6 } }
 local g = fit{ base = base, unknown = { k = 2e-8 }, data = { volumes } }
-near(g.value.k, 1e-8, 1e-6, "k of exact volumes")
-near(g.error.k, 0.03 / 2 * 1e-8, 1e-4, "its standard error is that of the mean of four")
+near(g.value.k, 1e-8, 1e-6, "k from exact volumes")
+near(g.error.k, 0.03 / 2 * 1e-8, 1e-4, "the standard error of k is that of the mean of four volumes")
 near(g.times, 1.96, 1e-3, "ranges use the normal distribution for known errors")
 
--- Tests errors estimated from residuals against the closed form of a weighted mean with equal weights.
+-- Tests standard errors estimated from the residuals against the closed form of a line through the origin.
 local plain = { of = "volume", distance = { 55, 110, 165, 220 }, value = { 56e-6, 109e-6, 166e-6, 219e-6 } }
 g = fit{ base = base, unknown = { k = 2e-8 }, data = { plain } }
 local sxx, sxy = 0, 0
 for i, d in ipairs(plain.distance) do sxx, sxy = sxx + 1e4 * d * d, sxy + 100 * d * plain.value[i] end
 local k, rest = sxy / sxx, 0
 for i, d in ipairs(plain.distance) do rest = rest + (plain.value[i] - k * 100 * d) ^ 2 end
-near(g.value.k, k, 1e-6, "a line through the origin")
+near(g.value.k, k, 1e-6, "k is the slope of the regression line")
 near(g.error.k, math.sqrt(rest / 3 / sxx), 1e-4, "standard error of the slope from the residuals")
-near(g.times, 3.1824, 1e-4, "with Student's factor")
+near(g.times, 3.1824, 1e-4, "ranges use Student's t for errors estimated from residuals")
 
 -- --- friction loops ------------------------------------------------------------------------------
--- Tests a fit of the loop of a run with friction 0.63. The loop is shifted in x and force, and the compliance
--- of a test rig, 1e-5 mm/N, is added.
+
+-- Tests a fit of the friction loop of a run with a coefficient of friction of 0.63. The loop is shifted in x
+-- and force, and the compliance of a test rig, 1e-5 mm/N, is added.
 local rubbing = { load = 92.5, k = 1e-8, jump = 50, model = { radius = 6, mesh = { size = 0.02 } } }
 local function moving(given)
   for name, value in pairs(rubbing) do given[name] = value end
@@ -99,13 +103,14 @@ local friction = { friction = { start = 0.4, low = 0, high = 1.2 } }
 local slid = fit{ base = moving{ stroke = 0.02 }, unknown = friction, data = {
   { loop = loop_of({ stroke = 0.02 }, 2), cycle = 100, compliance = 1e-5, error = 0.5 } } }
 near(slid.value.friction, 0.63, 1e-5, "friction from a loop in gross slip")
-near(slid.data[1].place.shift.value, 4e-4, 1e-3, "its shift")
-near(slid.data[1].place.level.value, 1.5, 1e-3, "the level of a loop")
-is(slid.data[1].distance, 4.0, "cycles are distances by the stroke")
-holds(tostring(slid), { "loop at 4 mm: 50 values", "level 1.5 +- ", " N" }, "print of a loop")
+near(slid.data[1].place.shift.value, 4e-4, 1e-3, "shift of a friction loop along x")
+near(slid.data[1].place.level.value, 1.5, 1e-3, "shift of a friction loop along the force")
+is(slid.data[1].distance, 4.0, "cycle numbers are converted to sliding distances")
+holds(tostring(slid), { "loop at 4 mm: 50 values", "level 1.5 +- ", " N" }, "print of a fitted loop")
 plot.fit(slid, { file = file .. ".txt" })
 os.remove(file .. ".txt")
--- Tests the fit to loops in partial slip under a given force: positions are compared at the measured forces.
+-- Tests the fit to loops in partial slip under a given force, which compares positions at the measured
+-- forces.
 local partial = loop_of({ tangential = 40 }, 1)
 for i, force in ipairs(partial.tangential) do partial.x[i] = partial.x[i] - 1e-5 * force end
 local stuck = fit{ base = moving{ tangential = 40 }, unknown = { friction = { start = 0.8, low = 0.5, high = 1.2 } },
@@ -116,15 +121,16 @@ local function refused_loop(change, what, why)
   for name, value in pairs(change) do one[name] = value end
   fails(function() fit{ base = moving{ stroke = 0.02 }, unknown = friction, data = { one } } end, what, why)
 end
-refused_loop({ cycle = 3 }, { "'data[1].cycle'", "'data[1].distance'", "got both" }, "cycle and distance")
-refused_loop({ loop = { x = { 1, 2 } } }, { "data[1].loop", "tangential [N]" }, "half a loop")
-refused_loop({ body = "plate" }, { "'data[1].body'", "loop" }, "a loop has no body")
+refused_loop({ cycle = 3 }, { "'data[1].cycle'", "'data[1].distance'", "got both" },
+  "cycle and distance together")
+refused_loop({ loop = { x = { 1, 2 } } }, { "data[1].loop", "tangential [N]" }, "a loop without forces")
+refused_loop({ body = "plate" }, { "'data[1].body'", "loop" }, "a loop with a body")
 local thousands = loop_of({ stroke = 0.02 }, 4)
 for i, x in ipairs(thousands.x) do thousands.x[i] = 1e3 * x end
-refused_loop({ loop = thousands }, { "data[1].loop.x", "in mm" }, "a loop in um")
+refused_loop({ loop = thousands }, { "data[1].loop.x", "in mm" }, "a loop with positions in um")
 fails(function()
   fit{ base = base, unknown = { k = 1e-8 }, data = { { of = "volume", distance = 55, value = 1e-4, compliance = 1 } } }
-end, { "'data[1].compliance'", "loops" }, "a series has no compliance")
+end, { "'data[1].compliance'", "loops" }, "compliance of a measurement that is not a loop")
 
 -- --- curves --------------------------------------------------------------------------------------
 local knots, values = { 0, 50, 220 }, { 0.7, 0.45, 0.35 }
@@ -132,7 +138,7 @@ local spline = require "archard.fit.spline"
 local series = spline.series({ 0, 1, 2, 3 }, { 0, 1, 1, 4 })
 local monotonic = true
 for i = 2, #series.value do monotonic = monotonic and series.value[i] >= series.value[i - 1] end
-ok(monotonic, "the spline is monotonic where the knots are")
+ok(monotonic, "the spline is monotonic if its knots are monotonic")
 is(series.value[9], 1, "the spline passes through the knots")
 local curved = wear{ k = 1e-8, alpha = spline.series(knots, values), jump = 50, stroke = 0.22,
   model = base.model }
@@ -143,12 +149,12 @@ for i = 1, 11 do
 end
 local h = fit{ base = base, unknown = { alpha = { start = 0.5, knots = knots } }, data = { shares } }
 for i, value in ipairs(values) do near(h.value.alpha[i], value, 1e-3, "alpha at knot " .. i) end
-is(#h.curve.alpha.distance, 17, "the curve as a table for wear{}")
-ok(h.band.alpha.low[9] < 0.45 and h.band.alpha.high[9] > 0.45, "with its band")
+is(#h.curve.alpha.distance, 17, "the fitted curve is a table for wear{}")
+ok(h.band.alpha.low[9] < 0.45 and h.band.alpha.high[9] > 0.45, "the fitted curve has a confidence band")
 local smooth = fit{ base = base, data = { shares },
   unknown = { alpha = { start = 0.5, knots = { 0, 50, 130, 220 }, smooth = "auto" } } }
-ok(smooth.smooth > 0, "smoothness by cross-validation has a weight")
-near(smooth.value.alpha[4], 0.35, 0.05, "smoothing does not change the curve's values")
+ok(smooth.smooth > 0, "cross-validation chooses a weight of smoothness")
+near(smooth.value.alpha[4], 0.35, 0.05, "smoothing does not change the fitted values")
 
 -- --- run files -----------------------------------------------------------------------------------
 local function stored(workers, other)
@@ -156,82 +162,99 @@ local function stored(workers, other)
     progress = false }
 end
 local first = stored(2)
-near(first.value.k, 1e-8, 1e-6, "a fit with workers")
+near(first.value.k, 1e-8, 1e-6, "a fit with two workers")
 local again = stored(1)
-is(again.value.k, first.value.k, "the same file gives the same")
-is(again.runs, 0, "without a run")
+is(again.value.k, first.value.k, "a fit read from its file has identical bits")
+is(again.runs, 0, "a fit read from its file needs no run")
 g = fit{ base = base, unknown = { k = 2e-8 }, data = { volumes } }
-is(g.value.k, first.value.k, "a fit in this process gives the same bits")
+is(g.value.k, first.value.k, "a fit in this process gives identical bits")
 fails(function() fit{ unknown = { k = 2e-8 }, data = volumes } end,
-  "field 'data': expected a list of measurements, got a single one: write data = { { ... } }", "one measurement, not in a list")
+  "field 'data': expected a list of measurements, got a single one: write data = { { ... } }",
+    "a single measurement instead of a list")
 fails(function() fit{ base = { jump = 40 }, unknown = { k = 2e-8 }, data = { volumes }, file = file } end,
-  { file, "another fit" }, "a file of another fit is refused")
+  { file, "another fit" }, "a file of another fit")
 os.remove(file)
 
 -- --- notes ---------------------------------------------------------------------------------------
 local one = { of = "volume_plate", distance = { 100, 220 }, value = { 5e-5, 1.1e-4 }, relative = 0.03 }
 local three = { of = "volume_plate", distance = { 50, 100, 220 }, value = { 2.5e-5, 5e-5, 1.1e-4 }, relative = 0.03 }
 g = fit{ base = base, unknown = unknown, data = { three } }
-holds(tostring(g), { "the data determine only a combination of alpha and k", "without a standard error" }, "data that determine a combination only")
-is(g.error.k, math.huge, "has no standard error")
+holds(tostring(g), { "the data determine only a combination of alpha and k", "without a standard error" },
+  "the note says that only a combination of k and alpha is determined")
+is(g.error.k, math.huge, "an undetermined value has no standard error")
 three.value = { 1e-4, 2e-4, 4e-4 }
 g = fit{ base = base, unknown = { alpha = 0.5 }, data = { three } }
-holds(tostring(g), { "alpha is at its lower bound, 0", "times the given errors" }, "at a bound")
+holds(tostring(g), { "alpha is at its lower bound, 0", "times the given errors" },
+  "the note says that alpha is at its bound")
 
 local function refused(given, parts, what)
   given.base = given.base or base
   fails(function() fit(given) end, parts, what)
 end
 local bare = { of = "volume_plate", distance = { 100, 220 }, value = { 5e-5, 1.1e-4 } }
-refused({ unknown = unknown, data = { bare } }, { "fit.lua:", "too few data: 2 values for 2 unknowns", "with the field 'error' of the data" }, "too few data")
+refused({ unknown = unknown, data = { bare } },
+  { "fit.lua:", "too few data: 2 values for 2 unknowns", "if the data have the field 'error'" },
+  "fewer values than unknowns")
 refused({ unknown = { k = { start = 1e-8, low = 2e-8, high = 1e-9 } }, data = { one } },
-  { "'unknown.k.low'", "low < high", "2e-08 and 1e-09" }, "bounds in the wrong order")
+  { "'unknown.k.low'", "low < high", "2e-08 and 1e-09" }, "a lower bound above the upper bound")
 refused({ unknown = { alpha = { start = 0.5, high = 1.5 } }, data = { one } },
   { "'unknown.alpha.high'", "from 0 to 1, got 1.5" }, "a bound outside the range of the setting")
-refused({ base = { k = 3e-9 }, unknown = { k = 1e-8 }, data = { one } }, { "'base.k'", "unknown.k" }, "k twice")
+refused({ base = { k = 3e-9 }, unknown = { k = 1e-8 }, data = { one } }, { "'base.k'", "unknown.k" },
+  "k as an unknown and as a fixed value")
 refused({ unknown = { k = 1e-8 }, data = { { of = "volume", distance = { -5, 600 }, value = { 1, 2 } } } },
-  { "'data[1].distance[1]'", "a number > 0, got -5" }, "a distance below 0")
+  { "'data[1].distance[1]'", "a number > 0, got -5" }, "a negative distance")
 refused({ unknown = { k = 1e-8 }, data = { { of = "volume", distance = { 1, 600 }, value = { 1, 0 / 0 } } } },
-  { "'data[1].value[2]'", "nan" }, "a value that is none")
+  { "'data[1].value[2]'", "nan" }, "NaN among measured values")
 refused({ unknown = { kk = 1 }, data = { one } }, "unknown field 'kk' (did you mean 'k'?)", "a misspelt unknown")
-refused({ base = { radius = 1 }, unknown = unknown, data = { one } }, "it is a field of model{}", "one of the model")
-refused({ unknown = { scheme = 1 }, data = { one } }, { "unknown.scheme", "number" }, "one that is no number")
-refused({ unknown = { alpha = 1 }, data = { one } }, { "unknown.alpha.start", "inside the bounds 0" }, "a start at a bound")
-refused({ unknown = { load = { start = 90, knots = { 0, 1 } } }, data = { one } }, "only k, alpha", "a curve of a number")
-refused({ unknown = { law_exponent = 1 }, data = { three } }, "'law_exponent' has no effect", "an idle unknown")
+refused({ base = { radius = 1 }, unknown = unknown, data = { one } }, "it is a field of model{}",
+  "an unknown in base that is a field of the model")
+refused({ unknown = { scheme = 1 }, data = { one } }, { "unknown.scheme", "number" },
+  "an unknown that is not a number")
+refused({ unknown = { alpha = 1 }, data = { one } }, { "unknown.alpha.start", "inside the bounds 0" },
+  "a start value at a bound")
+refused({ unknown = { load = { start = 90, knots = { 0, 1 } } }, data = { one } }, "only k, alpha",
+  "a curve of a setting that has no curve")
+refused({ unknown = { law_exponent = 1 }, data = { three } }, "'law_exponent' has no effect",
+  "an unknown without effect")
 refused({ unknown = { k = 1e-8 }, data = { { of = "volume", distance = 220, value = { 1, 2 } } } },
-  { "data[1].value", "expected 1 numbers", "got 2" }, "lists of different length")
-refused({ unknown = { k = 1e-8 }, data = { { of = "volum", distance = 220, value = 1 } } }, "data[1].of", "no such column")
+  { "data[1].value", "expected 1 numbers", "got 2" }, "more values than distances")
+refused({ unknown = { k = 1e-8 }, data = { { of = "volum", distance = 220, value = 1 } } }, "data[1].of",
+  "an unknown measured quantity")
 refused({ unknown = { k = 1e-8 }, data = { one, { of = "half_width", distance = 220, value = 0.1 } } },
-  { "data[2]", "error" }, "several kinds of data without errors")
+  { "data[2]", "error" }, "several kinds of measurements without errors")
 refused({ unknown = { k = 1e-8 }, data = { { body = "plate", distance = 220, error = 1e-9,
-  x = { -0.2, -0.1, 0, 0.1, 0.2 }, h = { 1e-8, 2e-7, 3e-7, 2e-7, 1e-8 } } } }, "are they in m?", "depths in m")
+  x = { -0.2, -0.1, 0, 0.1, 0.2 }, h = { 1e-8, 2e-7, 3e-7, 2e-7, 1e-8 } } } }, "are they in m?",
+    "depths given in m")
 refused({ unknown = { k = 1e-8 }, data = { { body = "plate", distance = 220, error = 1e-5,
-  x = { -200, -100, 0, 100, 200 }, h = { 1e-5, 2e-4, 3e-4, 2e-4, 1e-5 } } } }, "expected x in mm", "places in um")
-refused({ unknown = { k = 1e-8 } }, "'data'", "no data")
+  x = { -200, -100, 0, 100, 200 }, h = { 1e-5, 2e-4, 3e-4, 2e-4, 1e-5 } } } }, "expected x in mm",
+    "positions given in um")
+refused({ unknown = { k = 1e-8 } }, "'data'", "a fit without data")
 
 -- --- design --------------------------------------------------------------------------------------
 local d = fit.design{ base = base, unknown = unknown, measure = {
   { profile = "cylinder", distance = { 110, 220 }, error = 5e-5 }, { of = "volume", distance = 220, relative = 0.03 },
   { of = "volume_plate", distance = 220, relative = 0.03 } } }
-is(#d.alone, 4, "every measurement at every distance")
-ok(d.alone[2].error.alpha < d.alone[1].error.alpha, "a deeper scar gives a smaller error")
-near(d.alone[3].error.k, 1e-8 / math.sqrt(1 + 1 / 0.03 ^ 2), 1e-4, "the volume determines k with its own accuracy")
+is(#d.alone, 4, "each measurement at each distance is evaluated alone")
+ok(d.alone[2].error.alpha < d.alone[1].error.alpha, "a deeper scar has a smaller standard error")
+near(d.alone[3].error.k, 1e-8 / math.sqrt(1 + 1 / 0.03 ^ 2), 1e-4,
+  "standard error of k from the volume alone")
 near(d.alone[3].error.alpha, 1 / math.sqrt(12), 1e-4, "the volume does not determine alpha")
-is(#d.best, 3, "an order to measure in")
+is(#d.best, 3, "the best order of measurements")
 ok(d.all.k <= d.best[3].error.k, "all measurements together have the smallest error")
 holds(tostring(d), { "undetermined", "best", "together" }, "print(d)")
-holds(d:table(), { "measurement,distance [mm],error of alpha", "volume_plate,220" }, "its table")
+holds(d:table(), { "measurement,distance [mm],error of alpha", "volume_plate,220" }, "the result as a table")
 fails(function() fit.design{ unknown = unknown, measure = { { of = "volume", distance = 1 } } } end,
-  { "measure[1]", "error" }, "an error is needed")
+  { "measure[1]", "error" }, "a planned measurement without an error")
 
--- Tests designs with measured widths. A computed width changes in steps from node to node. With elements of 5
--- um the standard errors of k by each width alone are 27, 28, 28 and 38 %, and the default mesh gives the same
--- errors. Derivatives over the range of a fit would give 41, 45, 15 (by chance) and 41 %.
+-- Tests designs with measured widths. A computed width changes in steps from node to node, so derivatives
+-- with respect to k need a wide range. On elements of 5 um the standard errors of k from single widths are
+-- 27, 28, 28 and 38 %, as on the default mesh. Derivatives over the narrower range of a fit give 41, 45, 15
+-- and 41 %.
 local widths = fit.design{ base = { stroke = 0.22, jump = 50 }, unknown = unknown,
   measure = { { of = "width", distance = { 150, 300, 660, 1320 }, relative = 0.02 } } }
 for _, one in ipairs(widths.alone) do
-  ok(one.error.k > 0.26e-8 and one.error.k < 0.39e-8, ("k by the width at %g mm: %.2g"):format(one.distance, one.error.k))
+  ok(one.error.k > 0.26e-8 and one.error.k < 0.39e-8,
+    ("standard error of k from the width at %g mm: %.2g"):format(one.distance, one.error.k))
 end
 
 -- --- pictures ------------------------------------------------------------------------------------
@@ -248,8 +271,8 @@ local width = fit{ base = base, unknown = { k = 1e-8 }, data = { { of = "width",
 plot.fit(width, { file = file .. ".gp" })
 local script = io.open(file .. ".gp")
 local commands = script:read "a"
-holds(commands, '"width / mm"', "a picture of a quantity outside the history")
+holds(commands, '"width / mm"', "picture of a quantity that is not in the history")
 holds(commands, "filledcurves closed", "the band is a closed area")
 script:close()
 os.remove(file .. ".gp")
-fails(function() plot.fit({}) end, "expected a result of fit{}", "plot.fit of something else")
+fails(function() plot.fit({}) end, "expected a result of fit{}", "plot.fit of an empty table")

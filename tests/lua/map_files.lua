@@ -1,7 +1,8 @@
 -- Tests map files: this test writes each format from its specification and reads it back. Also tests units,
 -- missing points, outliers, and broken files, which give errors with the name of the file, the expected and
 -- the found value.
--- Ordinary collector settings are used (see tests/run): continuous garbage collection would only slow this code down.
+-- Ordinary collector settings: even under sanitizers this file is run without continuous garbage collection,
+-- which would only slow it down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -23,8 +24,8 @@ end
 local nx, nz, dx, dz = 7, 5, 0.01, 0.02 -- mm
 local function height(x, z) return 1e-3 * (0.3 * x / dx - 0.2 * z / dz + 0.05 * x * z / (dx * dz)) end
 
--- Returns rows of integer heights in steps of `step` mm, beginning at the smallest z, or at the largest z
--- with from_top.
+-- Returns rows of integer heights in steps of `step` mm. The first row is at the largest z if `from_top` is
+-- true, otherwise at the smallest z.
 local function rows(step, from_top)
   local list = {}
   for j = 1, nz do
@@ -83,19 +84,21 @@ local function xyz(head, scale_x, scale_y, order)
   return head .. table.concat(lines, "\n") .. "\n"
 end
 
-same(map.read(write("a.xyz", xyz("", 1, 1)), { unit = "mm" }), 1e-6, ".xyz in mm")
-same(map.read(write("b.xyz", xyz("# made\n", 1000, 1e6)), { unit = { x = "um", y = "nm" } }), 1e-6, ".xyz in um and nm")
+same(map.read(write("a.xyz", xyz("", 1, 1)), { unit = "mm" }), 1e-6, ".xyz file in mm")
+same(map.read(write("b.xyz", xyz("# made\n", 1000, 1e6)), { unit = { x = "um", y = "nm" } }), 1e-6,
+  ".xyz file in um and nm")
 same(map.read(write("c.xyz", xyz("x [um], y [um], z [nm]\n", 1000, 1e6, function(a, b) return a:reverse() < b:reverse() end))), 1e-6,
-  "its header's units, points in any order")
+  ".xyz file with units in its header and points in any order")
 same(map.read(write("m.txt", "# heights\n", worded(rows(1e-3), "%.7f"), "\n"), { step = { dx, dz }, unit = "um" }), 1e-6,
-  "a matrix with its steps")
-is(map.read(path "m.txt", { step = 0.5, unit = "um" }).z[2], 0.5, "one step for both")
+  "matrix of heights with given steps")
+is(map.read(path "m.txt", { step = 0.5, unit = "um" }).z[2], 0.5, "one step for x and z")
 for name, text in pairs{ tabs = "0,5\t0,25\t1\r\n1,5\t2\t3,25\r\n", blanks = " 0,5 0,25 1\n 1,5 2,0 3,25\n", semicolons = "0,5;0,25;1\n1,5;2;3,25\n",
   ["commas without blanks"] = "0.5,0.25,1\n1.5,2,3.25\n", ["commas with blanks"] = "0.5, 0.25, 1\n1.5, 2, 3.25\n" } do
   local m = map.read(write("decimal.txt", text), { step = 0.5, unit = "mm" })
   ok(#m.x == 3 and #m.z == 2 and m.y[1] == 0.5 and m.y[#m.y] == 3.25, "numbers between " .. name)
 end
-is(map.read(path "m.txt", { step = 0.5, unit = "um" }).path, path "m.txt", "its path")
+is(map.read(path "m.txt", { step = 0.5, unit = "um" }).path, path "m.txt",
+  "a map contains the path of its file")
 
 -- --- Surfer ---------------------------------------------------------------------------------------------------
 
@@ -113,9 +116,9 @@ local function dsrb(version, list, rotation)
     rotation or 0, 1.70141e38) .. pack("<i4i4", 0x41544144, #data) .. data
 end
 local mixed = { unit = { x = "mm", y = "um" } }
-same(map.read(write("a.grd", dsaa()), mixed), 1e-6, "Surfer text", 1, 2)
-same(map.read(write("b.grd", dsbb()), mixed), 1e-6, "Surfer 6", 1, 2)
-same(map.read(write("c.grd", dsrb()), mixed), 1e-12, "Surfer 7", 1, 2)
+same(map.read(write("a.grd", dsaa()), mixed), 1e-6, "Surfer 6 text file", 1, 2)
+same(map.read(write("b.grd", dsbb()), mixed), 1e-6, "Surfer 6 binary file", 1, 2)
+same(map.read(write("c.grd", dsrb()), mixed), 1e-12, "Surfer 7 file", 1, 2)
 local holed = rows(1e-3)
 holed[2][3] = 1.70141e38
 for name, text in pairs{ text = dsaa(holed), ["6"] = dsbb(nil, nil, holed), ["7"] = dsrb(2, holed) } do
@@ -124,10 +127,12 @@ for name, text in pairs{ text = dsaa(holed), ["6"] = dsbb(nil, nil, holed), ["7"
     "a point without a value, Surfer " .. name)
 end
 local filled = map.read(path "hole.grd", { unit = mixed.unit, fill = true })
-near(filled:at(1.02, 2.02), height(0.02, 0.02), 1e-6, "filled from its neighbours")
+near(filled:at(1.02, 2.02), height(0.02, 0.02), 1e-6, "a missing value is filled from its neighbours")
 is(filled.missing, 1, "number of filled points")
-is(map.read(path "hole.grd", { unit = mixed.unit, fill = 7 }):at(1.02, 2.02), 7, "filled by a height")
-is(map.read(path "hole.grd", { unit = mixed.unit, crop = { x = { 1.025 } } }).missing, 0, "or left out")
+is(map.read(path "hole.grd", { unit = mixed.unit, fill = 7 }):at(1.02, 2.02), 7,
+  "a missing value is filled by a given height")
+is(map.read(path "hole.grd", { unit = mixed.unit, crop = { x = { 1.025 } } }).missing, 0,
+  "a missing value is cropped")
 
 -- --- ISO 25178-71 ---------------------------------------------------------------------------------------------
 
@@ -149,15 +154,17 @@ local function sdf_binary(kind, item, list, changes, version)
     .. pack("<dddd", c.dx or dx / 1000, dz / 1000, 1e-9, -1) .. pack("BBB", c.compression or 0, kind, c.check or 0)
     .. packed(list or rows(1e-6), item)
 end
-same(map.read(write("a.sdf", sdf_text())), 1e-6, ".sdf, text")
-same(map.read(write("b.sdf", sdf_text({ DataType = 5 }, nil, "%d", "aBCR-1.0"))), 1e-3, ".sdf, text of whole numbers, BCR")
+same(map.read(write("a.sdf", sdf_text())), 1e-6, ".sdf text file")
+same(map.read(write("b.sdf", sdf_text({ DataType = 5 }, nil, "%d", "aBCR-1.0"))), 1e-3,
+  ".sdf text file of whole numbers, BCR version")
 for kind, item in pairs{ [5] = "<i2", [6] = "<i4", [7] = "<d" } do
-  same(map.read(write("c.sdf", sdf_binary(kind, item))), 1e-3, ".sdf, binary " .. item)
+  same(map.read(write("c.sdf", sdf_binary(kind, item))), 1e-3, ".sdf binary file, number format " .. item)
 end
-same(map.read(write("d.sdf", sdf_binary(3, "<f", nil, nil, "bISO-2.0"))), 1e-6, ".sdf, version 2")
+same(map.read(write("d.sdf", sdf_binary(3, "<f", nil, nil, "bISO-2.0"))), 1e-6, ".sdf binary file, version 2")
 holed = rows(1e-6)
 holed[5][7] = -32768
-is(map.read(write("hole.sdf", sdf_binary(5, "<i2", holed)), { fill = 0 }).missing, 1, "the smallest number is none")
+is(map.read(write("hole.sdf", sdf_binary(5, "<i2", holed)), { fill = 0 }).missing, 1,
+  "the smallest whole number is a missing value")
 is(map.read(write("hole.sdf", (sdf_text({ DataType = 5 }, nil, "%d"):gsub("300", "BAD", 1))), { fill = 0 }).missing, 1, "BAD is a missing value")
 
 -- --- Gwyddion, Digital Surf, Alicona -----------------------------------------------------------------------------
@@ -173,12 +180,15 @@ local function gsf(changes, list)
 end
 same(map.read(write("a.gsf", gsf())), 1e-6, ".gsf", dx / 2, dz / 2)
 for length = 0, 3 do
-  same(map.read(write("b.gsf", gsf{ Title = ("t"):rep(length + 1) })), 1e-6, "a header of any length", dx / 2, dz / 2)
+  same(map.read(write("b.gsf", gsf{ Title = ("t"):rep(length + 1) })), 1e-6,
+    ".gsf header of any length", dx / 2, dz / 2)
 end
-is(map.read(path "b.gsf").name, "tttt", "its title is the name")
-same(map.read(write("c.gsf", gsf({ XOffset = 1e-3, ZUnits = "um" }, rows(1e-3, true)))), 1e-6, "an offset, heights in um", 1 + dx / 2,
+is(map.read(path "b.gsf").name, "tttt", "the title of a .gsf file is the name of the map")
+same(map.read(write("c.gsf", gsf({ XOffset = 1e-3, ZUnits = "um" }, rows(1e-3, true)))), 1e-6,
+  ".gsf file with an offset, heights in um", 1 + dx / 2,
   dz / 2)
-is(map.read(write("d.gsf", gsf({ ZUnits = "Pa" }, rows(1e-6, true)))).unit, "MPa", "pressures")
+is(map.read(write("d.gsf", gsf({ ZUnits = "Pa" }, rows(1e-6, true)))).unit, "MPa",
+  ".gsf file of pressures in Pa")
 
 local function sur(changes, list)
   local c = changes or {}
@@ -192,10 +202,12 @@ local function sur(changes, list)
   return head .. ("\0"):rep(512 - #head) .. (c.comment or "") .. packed(list or rows(1e-6, true), item)
 end
 same(map.read(write("a.sur", sur())), 1e-3, ".sur")
-same(map.read(write("b.sur", sur{ bits = 32, comment = "a scar" })), 1e-3, ".sur of 32 bits with a comment")
+same(map.read(write("b.sur", sur{ bits = 32, comment = "a scar" })), 1e-3,
+  ".sur file of 32 bits with a comment")
 holed = rows(1e-6, true)
 holed[1][2] = -1002
-near(map.read(write("hole.sur", sur({ special = 1 }, holed)), { fill = 0 }):at(dx, (nz - 1) * dz), 0, 1e-10, "a point without a value, in the top row")
+near(map.read(write("hole.sur", sur({ special = 1 }, holed)), { fill = 0 }):at(dx, (nz - 1) * dz), 0, 1e-10,
+  "missing value in a .sur file")
 
 local function al3d(changes, list)
   local tags = { { "Cols", nx }, { "Rows", nz }, { "DepthImageOffset", 0 }, { "InvalidPixelValue", "1e10" },
@@ -213,7 +225,8 @@ end
 same(map.read(write("a.al3d", al3d())), 1e-6, ".al3d")
 holed = rows(1e3, true)
 holed[3][3] = 1e10
-is(map.read(write("hole.al3d", al3d(nil, holed)), { fill = true }).missing, 1, "a point without a value")
+is(map.read(write("hole.al3d", al3d(nil, holed)), { fill = true }).missing, 1,
+  "missing value in an .al3d file")
 
 -- --- processing of points -------------------------------------------------------------------------------------
 
@@ -230,16 +243,16 @@ local rough = write("rough.txt", matrix(40, function(i, j)
   return i == 20 and j == 30 and "5000" or abs(i - 10) < 4 and abs(j - 10) < 4 and "nan" or ("%.6f"):format(i + 0.1 * (i * 7 + j * 13) % 2)
 end))
 local t = map.read(rough, { step = 0.01, unit = "um", outliers = 20, fill = true })
-is(t.outliers, 1, "one outlier")
-near(t:at(0.19, 0.29), 0.02, 0.1, "is replaced by the median of its neighbours")
-is(t.missing, 49, "a hole")
+is(t.outliers, 1, "number of outliers")
+near(t:at(0.19, 0.29), 0.02, 0.1, "an outlier is replaced by the median of its neighbours")
+is(t.missing, 49, "number of missing values in a hole")
 near(t:at(0.09, 0.09), 0.011, 0.1, "a hole is filled from its neighbours")
 holds(tostring(t), { "49 points without a value were filled", "1 outliers were replaced" }, "print")
 local plane = write("plane.txt", matrix(30, function(i, j) return abs(i - 15) < 4 and abs(j - 12) < 4 and "---" or 3 * i - j end))
 near(map.read(plane, { step = 0.01, unit = "um", fill = true }):at(0.14, 0.11), 0.033, 1e-6, "a hole in a plane is filled by the plane")
 t = map.read(plane, { step = 0.01, unit = "um", fill = true, level = "plane" })
 is(t.form, "plane", "levelled by map.read")
-ok(max(t:volume().above, t:volume().below) < 1e-9, "to nothing")
+ok(max(t:volume().above, t:volume().below) < 1e-9, "a levelled plane is zero")
 
 -- --- files written ----------------------------------------------------------------------------------------------
 
@@ -253,38 +266,50 @@ for i = 1, nx do own.x[i] = -0.03 + (i - 1) * dx end
 for j = 1, nz do own.z[j] = 0.5 + (j - 1) * dz end
 own.y = function(x, z) return height(x + 0.03, z - 0.5) end
 own = map(own)
-is(export.gsf(own, path "own"), path "own.gsf", "export.gsf adds the ending")
-same(map.read(path "own.gsf"), 1e-5, ".gsf written and read", -0.03, 0.5)
+is(export.gsf(own, path "own"), path "own.gsf", "export.gsf adds the extension")
+same(map.read(path "own.gsf"), 1e-5, ".gsf file written and read", -0.03, 0.5)
 local p = map.read(export.gsf(map{ x = { 0, 1 }, z = { 0, 2 }, y = { 1, 2, 3, 4 }, unit = "MPa", name = "pressure" }, path "p.gsf"))
-is(p.unit .. p.name .. p:at(1, 0), "MPapressure3.0", "pressures too")
-is(export.csv(own, path "own.csv"), path "own.csv", "export.csv")
-same(map.read(path "own.csv"), 1e-12, ".csv written and read", -0.03, 0.5)
-is(csv.read(path "own.csv").height[2], own.y[2], "or by csv.read")
+is(p.unit .. p.name .. p:at(1, 0), "MPapressure3.0", ".gsf file of pressures written and read")
+is(export.csv(own, path "own.csv"), path "own.csv", "export.csv returns the file name")
+same(map.read(path "own.csv"), 1e-12, ".csv file written and read", -0.03, 0.5)
+is(csv.read(path "own.csv").height[2], own.y[2], ".csv file of a map read by csv.read")
 local twice = map{ x = own.x, z = own.z, y = function() return 7 end, name = "p < 8", unit = "MPa" }
-is(export.vti({ own, twice }, path "own.vti"), path "own.vti", "export.vti")
+is(export.vti({ own, twice }, path "own.vti"), path "own.vti", "export.vti returns the file name")
 local text = bytes "own.vti"
 holds(text, { '<ImageData WholeExtent="0 6 0 0 0 4" Origin="-0.03 0 0.5" Spacing="', '<DataArray type="Float64" Name="height" format="ascii">',
-  'Name="p &lt; 8"' }, "both maps, names quoted")
+  'Name="p &lt; 8"' }, ".vti file with two maps and quoted names")
 local values = {}
 for word in text:match('Name="height"[^>]*>(.-)<'):gmatch "%S+" do values[#values + 1] = tonumber(word) end
-is(#values, nx * nz, "a value each point")
+is(#values, nx * nz, ".vti file with a value for each point")
 local exact = true
 for i = 1, nx do for j = 1, nz do exact = exact and values[(j - 1) * nx + i] == own.y[(i - 1) * nz + j] end end
-ok(exact, "x runs fastest, to the bit")
-fails(function() export.vti({ own, own }, path "a.vti") end, 'item 2: expected a unique name, got "height" again', "one name twice")
-fails(function() export.vti({ own, p }, path "a.vti") end, "item 2: expected the points of the first map, got 2 x 2 different ones", "other points")
-fails(function() export.vti(3, path "a.vti") end, "expected a map or a list of maps, got 3", "no map")
-fails(function() export.vti(own, path "a.vtk") end, { "field 'path': expected a file name that ends in .vti", "a.vtk" }, "another ending")
-fails(function() export.gsf({}, path "a.gsf") end, "export.gsf: expected a map, got a table", "a table")
+ok(exact, ".vti values are ordered by x first, identical to the bit")
+fails(function() export.vti({ own, own }, path "a.vti") end,
+  'item 2: expected a unique name, got "height" again',
+  "export.vti of two maps with the same name")
+fails(function() export.vti({ own, p }, path "a.vti") end,
+  "item 2: expected the points of the first map, got 2 x 2 other points",
+  "export.vti of maps with different points")
+fails(function() export.vti(3, path "a.vti") end, "expected a map or a list of maps, got 3",
+  "export.vti of a number")
+fails(function() export.vti(own, path "a.vtk") end,
+  { "field 'path': expected a file name that ends in .vti", "a.vtk" },
+  "export.vti with another extension")
+fails(function() export.gsf({}, path "a.gsf") end, "export.gsf: expected a map, got a table",
+  "export.gsf of a table")
 
 -- --- wrong calls --------------------------------------------------------------------------------------------------
 
 fails(function() map.read(path "a.xyz") end, "field 'unit': expected the unit of heights", "a file without units")
-fails(function() map.read(path "a.xyz", { unit = "furlong" }) end, 'field \'unit\': expected "mm", "um", "nm", "cm", "m" or "in", got "furlong"', "a strange unit")
-fails(function() map.read(path "m.txt", { unit = "um" }) end, { "m.txt", "for a matrix of heights give step =" }, "a matrix without steps")
-fails(function() map.read(path "none.sdf") end, { "none.sdf", "No such file" }, "no file")
+fails(function() map.read(path "a.xyz", { unit = "furlong" }) end,
+  'field \'unit\': expected "mm", "um", "nm", "cm", "m" or "in", got "furlong"',
+  "an unknown unit")
+fails(function() map.read(path "m.txt", { unit = "um" }) end,
+  { "m.txt", "for a matrix of heights give step =" },
+  "a matrix without steps")
+fails(function() map.read(path "none.sdf") end, { "none.sdf", "No such file" }, "a missing file")
 fails(function() map.read(path "a.xyz", { units = "mm" }) end, "unknown field 'units'", "an unknown field")
-fails(function() map.read(3) end, "expected the path of a file, got 3", "no path")
+fails(function() map.read(3) end, "expected the path of a file, got 3", "a number instead of a path")
 
 -- --- broken files ---------------------------------------------------------------------------------------------------
 
@@ -373,6 +398,6 @@ for name, text in pairs(whole) do
     end
   end
 end
-is(strange, 0, "changed bytes and cut files: a map or an error of map.read")
+is(strange, 0, "a changed or truncated file gives a map or an error of map.read")
 
 os.execute("rm -r " .. folder)
