@@ -1,4 +1,5 @@
--- Runs a study of a few seconds, for tests that interrupt a study. Usage: long_study.lua FILE [WORKERS [JUMP]]
+-- Runs a study of a few seconds, for tests that interrupt a study. Usage: long_study.lua FILE [WORKERS [JUMP]],
+-- where JUMP is the number of cycles per update.
 local jump = tonumber(arg[3]) or 2
 study{
   base = { geometry = "frozen", increments = 100, jump = jump, distance = 440,

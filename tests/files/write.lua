@@ -1,4 +1,5 @@
--- Writes the run files with which later releases are tested. Run this script with the program of a release:
+-- Writes the run files of format N, with which later releases are tested. Run this script with the program of the
+-- release that writes format N:
 --   archard tests/files/write.lua tests/files/format-N.
 local prefix = arg and arg[1]
 local base = { geometry = "frozen", increments = 8, distance = 88, jump = 100,

@@ -15,7 +15,7 @@ static arc_model *shared_model(void) {
   return model;
 }
 
-/* Wears a surface to a profile of a few points, with realistic or arbitrary x and depths. */
+/* Wears a surface to depths at a few points; positions and depths are realistic or arbitrary. */
 static arc_status wear_down(arc_shape *shape, arc_body body, source *s) {
   enum { MOST = 12 };
   double x[MOST], h[MOST], depth[2000];
@@ -49,7 +49,7 @@ static void move(const arc_contact *from, source *s) {
   if (arc_contact_move(from, &motion, NULL, &moved, &error) == ARC_OK)
     check(moved);
   else if (!error.message[0])
-    FOUND("a refusal without a word");
+    FOUND("an error without a message");
   arc_contact_destroy(&moved);
 }
 
@@ -59,8 +59,8 @@ static void solve(const arc_shape *shape, source *s) {
   arc_contact *contact = NULL;
   const int wild = take_byte(s) % 8 == 0;
   def.load = wild ? take_any(s) : take_in(s, 0.1, 200);
-  /* heights of 1e-3 mm have rounding errors of 1e-19 mm, equivalent to 1e-14 N at a node. This is
-   * more than 1e-9 of loads below 1e-5 N. */
+  /* a height of 1e-3 mm has a rounding error of 1e-19 mm, which changes the force at a node by
+   * 1e-14 N; for loads below 1e-5 N this exceeds the tolerance of 1e-9 */
   if (fabs(def.load) < 1e-5) return;
   def.x = wild ? take_any(s) : take_in(s, -0.2, 0.2);
   def.friction = take_byte(s) % 2 ? take_in(s, 0, 1.5) : 0;
@@ -70,7 +70,7 @@ static void solve(const arc_shape *shape, source *s) {
     check(contact);
     if (def.friction > 0) move(contact, s);
   } else if (!error.message[0]) {
-    FOUND("a refusal without a word");
+    FOUND("an error without a message");
   }
   arc_contact_destroy(&contact);
 }

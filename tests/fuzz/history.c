@@ -18,6 +18,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   history_file_read(path, 1000, count_entry, &before);
   history_file_append(path, "the marker");
   history_file_read(path, 1000, note_marker, &found);
-  if (!found) FOUND("an entry that was appended is not there");
+  if (!found) FOUND("an appended entry is missing");
   return 0;
 }

@@ -1,5 +1,5 @@
-/* Calls of Lua functions by fuzz targets. A Lua function that fails must raise an error object of
- * archard. */
+/* Functions with which fuzz targets call Lua functions. A Lua function that fails must raise an
+ * error object of archard. */
 #ifndef TESTS_FUZZ_IN_LUA_H
 #define TESTS_FUZZ_IN_LUA_H
 
@@ -10,8 +10,8 @@
 
 #include "lua/base/archard.h"
 
-/* Lua text that defines `read(with)`. The result of read(with) is a function (path, text) that
- * calls with(path). It ignores errors of archard and raises all other errors again. */
+/* Lua text that defines `read(with)`, which returns a function (path, text). This function calls
+ * with(path), ignores errors of archard and raises all other errors again. */
 #define IN_LUA_READ                                                                                \
   "local function read(with) return function(path, text)\n"                                        \
   "  local fine, why = pcall(with, path)\n"                                                        \

@@ -1,6 +1,6 @@
-/* Runs a target on the files of a folder, which are earlier findings and files that cover the
- * code. Usage: replay FOLDER; prints a TAP line for each file. The program is linked with a
- * target instead of libFuzzer. */
+/* Runs a fuzz target, with which it is linked instead of libFuzzer, on the files of a folder.
+ * These are inputs that failed earlier and inputs that together execute all code of the target.
+ * Usage: replay FOLDER; prints a TAP line for each file. */
 #include <dirent.h>
 
 #include "fuzz.h"

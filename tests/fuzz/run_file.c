@@ -154,7 +154,7 @@ static void change(sqlite3 *db, source *s) {
     bind_any(q, 2, s);
   else
     sqlite3_bind_int(q, 2, (int)(take_byte(s) % 64));
-  sqlite3_step(q); /* a change that violates a constraint of the tables has no effect */
+  sqlite3_step(q); /* a change that violates a constraint of the tables is not applied */
   sqlite3_finalize(q);
 }
 
@@ -238,7 +238,7 @@ static void read_all(const char *path) {
   arc_status status = arc_store_open(path, ARC_STORE_READ, &store, &error);
   if (status == ARC_OK) status = arc_store_check(store, &error);
   if (status == ARC_OK) status = arc_store_cases(store, &cases, &count, &error);
-  if (status != ARC_OK && !error.message[0]) FOUND("a refusal without a word");
+  if (status != ARC_OK && !error.message[0]) FOUND("an error without a message");
   for (size_t i = 0; i < count && i < 3; i++) read_case(store, cases[i].id);
   free(cases);
   arc_store_close(&store);

@@ -5,47 +5,51 @@ local is, ok, near, fails, holds = tap.is, tap.ok, tap.near, tap.fails, tap.hold
 
 local coarse = { size = 0.04 }
 local w = wear{ k_cylinder = 1e-8, k_plate = 3e-8, model = { mesh = coarse } }
-near(w.k, 4e-8, 1e-15, "k is their sum")
-near(w.alpha, 0.25, 1e-15, "alpha is the cylinder's share")
+near(w.k, 4e-8, 1e-15, "k is the sum of both bodies' coefficients")
+near(w.alpha, 0.25, 1e-15, "alpha is the cylinder's fraction of k")
 near(w.k_cylinder, 1e-8, 1e-15, "w.k_cylinder")
 near(w.k_plate, 3e-8, 1e-15, "w.k_plate")
 w:step()
-near(w.volume.plate / w.volume.cylinder, 3, 1e-9, "volumes are as the coefficients")
+near(w.volume.plate / w.volume.cylinder, 3, 1e-9, "the volumes have the ratio of the coefficients")
 
 local same = wear{ model = { cylinder = { k = 1e-8 }, plate = material{ k = 3e-8 }, mesh = coarse } }
-is(same.model.plate.k, 3e-8, "a material's own")
+is(same.model.plate.k, 3e-8, "the coefficient of a material")
 holds(tostring(same.model.plate), "k 3e-08 mm2/N", "print(material)")
 same:step()
-is(same.p_center, w.p_center, "given by the bodies: the same run to the bit")
-is(same.volume.plate, w.volume.plate, "the volume by the bodies' coefficients equals that by k and alpha")
+is(same.p_center, w.p_center, "coefficients of materials give the same bits as k_cylinder and k_plate")
+is(same.volume.plate, w.volume.plate, "the volume is the same to the bit, too")
 local hard = wear{ model = { cylinder = { k = 0 }, plate = { k = 1e-8 }, mesh = coarse } }
-is(hard.alpha, 0.0, "a body of k = 0 does not wear")
+is(hard.alpha, 0.0, "a body with k = 0 does not wear")
 is(wear{ model = { cylinder = { k = 1e-8 }, mesh = coarse } }.alpha, 1.0, "a body without a coefficient does not wear")
 
 w:set{ k_plate = 0 }
-near(w.k, 1e-8, 1e-15, "w:set of one coefficient keeps the other")
-is(w.alpha, 1.0, "only the cylinder wears then")
+near(w.k, 1e-8, 1e-15, "w:set of one coefficient does not change the other")
+is(w.alpha, 1.0, "with k_plate = 0 only the cylinder wears")
 w:set{ k = function() return 2e-8 end }
 w:set{ k_cylinder = 1e-8, k_plate = 1e-8 }
-near(w.k, 2e-8, 1e-15, "numbers replace a function")
+near(w.k, 2e-8, 1e-15, "numbers replace a function as k")
 
 fails(function() wear{ k = 1e-8, k_cylinder = 1e-8, k_plate = 0 } end, "fields 'k' and 'k_cylinder'", "k together with k_cylinder")
-fails(function() wear{ alpha = 0.5, k_plate = 1e-8, k_cylinder = 0 } end, "fields 'alpha' and 'k_cylinder'", "alpha too")
-fails(function() wear{ k_plate = 1e-8 } end, { "field 'k_cylinder'", "mm2/N", "together with 'k_plate'" }, "one alone")
-fails(function() wear{ k_plate = -1, k_cylinder = 0 } end, { "field 'k_plate'", ">= 0 mm2/N", "got -1" }, "below zero")
-fails(function() wear{ k_plate = "1", k_cylinder = 0 } end, "field 'k_plate'", "no number")
+fails(function() wear{ alpha = 0.5, k_plate = 1e-8, k_cylinder = 0 } end, "fields 'alpha' and 'k_cylinder'",
+  "alpha together with k_cylinder")
+fails(function() wear{ k_plate = 1e-8 } end, { "field 'k_cylinder'", "mm2/N", "together with 'k_plate'" },
+  "k_plate without k_cylinder")
+fails(function() wear{ k_plate = -1, k_cylinder = 0 } end, { "field 'k_plate'", ">= 0 mm2/N", "got -1" },
+  "a coefficient below zero")
+fails(function() wear{ k_plate = "1", k_cylinder = 0 } end, "field 'k_plate'", "a text as coefficient")
 fails(function() wear{ alpha = 0.2, model = { plate = { k = 1e-8 } } } end, { "'alpha'", "model.plate.k" },
-  "coefficients of the bodies and of the couple")
-fails(function() material{ k = -1 } end, "field 'k'", "a material's below zero")
+  "alpha together with a coefficient of a material")
+fails(function() material{ k = -1 } end, "field 'k'", "a material with a coefficient below zero")
 
 -- Tests element sizes: automatic sizes, fineness and limits.
 fails(function() model{ mesh = { size = 0.02, fineness = 2 } } end, { "mesh.size", "mesh.fineness" },
-  "a size that is given has no fineness")
+  "element size and fineness together")
 fails(function() model{ radius = 1e14 } end, { "field 'mesh.size': expected at least radius / 5e+08 = 200000 mm" },
-  "elements too many to be counted")
-is(model{ mesh = { size = "auto", fineness = 2 } }.mesh.size, 0.01, "fineness halves the paper's size")
-ok(contact{ model = { radius = 0.5 } }.p_center > 0, "a small radius")
-is(model{ radius = 0.5 }.mesh.far, 0.05, "far is proportional to the radius")
+  "too many elements to be counted")
+is(model{ mesh = { size = "auto", fineness = 2 } }.mesh.size, 0.01,
+  "fineness = 2 halves the reference paper's element size")
+ok(contact{ model = { radius = 0.5 } }.p_center > 0, "contact of a cylinder with a small radius")
+is(model{ radius = 0.5 }.mesh.far, 0.05, "the largest element size is proportional to the radius")
 local copy = study{ base = { model = model{ mesh = { fineness = 0.5 } }, distance = 22 } }
 local file = os.tmpname()
 os.remove(file)

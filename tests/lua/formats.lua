@@ -1,6 +1,7 @@
 -- Tests run files of older releases (in tests/files, written by write.lua there): they are read correctly,
 -- continued and merged. tests/unit/test_store_format.c checks their tables.
--- Ordinary collector settings are used (see tests/run): this test mostly compares texts.
+-- Ordinary collector settings: even under sanitizers this file is run without continuous garbage collection,
+-- because it mostly compares texts.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local content = dofile(here .. "/lib/content.lua")
@@ -23,8 +24,8 @@ local function copy(name, to)
   return path(to)
 end
 
--- The columns of the history since the first format; an old file has no values of later columns. The default
--- element type of old files is now chosen by "auto", with identical results for these bodies.
+-- The columns of the history in the first format; old files have no values of later columns. Old files
+-- contain the element type CPE4, which "auto" now chooses for these bodies.
 local first = {}
 for name in ("update cycle distance jump k alpha p_center p_max half_width depth_cylinder depth_plate "
   .. "volume_cylinder volume_plate depth_partition error solutions"):gmatch "%S+" do
@@ -61,7 +62,7 @@ local function same(got, expected, what)
   local in_got, in_expected = settings_in(got), settings_in(expected)
   got, expected = without_later(got, in_expected), without_later(expected, in_got)
   if got == expected then return ok(true, what) end
-  tap.note(what .. ": not the same bits here")
+  tap.note(what .. ": numbers may differ by rounding on this machine")
   local theirs = expected:gmatch "[^\n]+"
   for line in got:gmatch "[^\n]+" do
     local name, a = line:match "^(.*) (%S+)$"
@@ -91,38 +92,40 @@ local function test_format(format)
   local function file(kind) return "format-" .. format .. "." .. kind end
   local function of(what) return ("format %d: %s"):format(format, what) end
 
-  same(content(study.open(copy(file "study", "study"))), whole, of "a study that is only read")
+  same(content(study.open(copy(file "study", "study"))), whole, of "a study is opened")
   local seconds = study.open(path "study"):cases()[1].seconds
   local again = fresh.study():run{ file = path "study", workers = 1, progress = false }
   is(again:cases()[1].seconds, seconds, of "a finished study is not computed again")
-  same(content(again), whole, of "nor changed when it is written to")
+  same(content(again), whole, of "a finished study is not changed by running it again")
 
   copy(file "share", "share")
   local merged = study.merge(path "share", path "rest", { file = path "merged" })
-  same(content(merged), whole, of "a share merges with one of today")
-  is(study.open(path "share"):cases()[2].status, "waiting", of "a case that was not reached waits")
+  same(content(merged), whole, of "a shard is merged with a shard of the present format")
+  is(study.open(path "share"):cases()[2].status, "waiting", of
+    "a case that was not computed has the status waiting")
   same(content(fresh.study():run{ file = path "share", workers = 2, progress = false }), whole,
-    of "an interrupted study goes on")
+    of "an interrupted study is continued")
 
   local run, direct = wear.open(copy(file "wear", "wear")), fresh.wear()
   direct:step(2)
-  same(history_of(run), history_of(direct), of "a saved run")
+  same(history_of(run), history_of(direct), of "history of a saved run")
   local peak, travel = run.p_peak, run.travel
   run:run()
-  ok((format > 2 or peak ~= peak) and run.p_peak >= run.p_max, of "what was not recorded yet is no number, later on it is")
+  ok((format > 2 or peak ~= peak) and run.p_peak >= run.p_max, of
+    "the largest pressure of a cycle is NaN in old files and computed in later steps")
   ok((format > 3 or travel ~= travel) and run.travel == 0.11 and run.history.load[#run.history.load] == 100,
-    of "load and travel are recorded from here on")
+    of "load and travel are NaN in old files and computed in later steps")
   direct:run()
-  same(history_of(run), history_of(direct), of "which goes on")
-  is(run:save(path "wear"), run, of "and takes its file's place")
-  is(wear.open(path "wear").update, direct.update, of "in today's format")
+  same(history_of(run), history_of(direct), of "a saved run is continued")
+  is(run:save(path "wear"), run, of "a continued run is saved to the same file")
+  is(wear.open(path "wear").update, direct.update, of "the saved file has the present format")
 
   if not copy(file "auto", "auto") then return end
   local automatic, like = wear.open(path "auto"), fresh.wear "auto"
-  is(automatic.jump, "auto", of "a run with its own steps")
+  is(automatic.jump, "auto", of "a saved run with automatic steps")
   automatic:run()
   like:run()
-  same(history_of(automatic), history_of(like), of "which goes on so")
+  same(history_of(automatic), history_of(like), of "a saved run with automatic steps is continued")
 end
 
 local format = 1

@@ -28,25 +28,25 @@ while not w.done do
   held:step()
   if not changed and w.model.mesh.zone.cylinder > 0.8 then changed = { at, w.p_center, held.p_center } end
 end
-ok(changed, "the zone was outgrown")
-ok(changed and off(changed[2], changed[3]) < 0.002, "pressures within 0.2 % across the change")
+ok(changed, "the contact becomes wider than the zone")
+ok(changed and off(changed[2], changed[3]) < 0.002, "the enlargement changes the pressure by less than 0.2 %")
 ok(off(w.volume.total, 3e-8 * 100 * 1320) < 1e-9, "the volume is exact")
-ok(off(w.depth.cylinder, held.depth.cylinder) < 1e-3, "the depth is that on the large mesh")
-ok(off(w.p_center, held.p_center) < 0.002, "the pressure equals that on the large mesh")
+ok(off(w.depth.cylinder, held.depth.cylinder) < 1e-3, "the depth equals the depth on the large mesh")
+ok(off(w.p_center, held.p_center) < 0.002, "the pressure equals the pressure on the large mesh")
 local elements = w.history.elements
 ok(elements[1] < elements[#elements] and held.history.elements[1] == held.elements, "the history contains the number of elements")
-is(before.mesh.zone.cylinder, 0.8, "the given model is unchanged")
+is(before.mesh.zone.cylinder, 0.8, "the model of the user is unchanged")
 
 -- Tests a wear box with too few rows of elements: the run adds rows.
 local flat = run_on(mesh(2, 2.2, 1), { k = 2e-7, distance = 800, jump = 4 })
 local deep = run_on(mesh(2, 2.2, 3), { k = 2e-7, distance = 800, jump = 4 })
 flat:run()
 deep:run()
-ok(flat.model.mesh.rows > 1, "the wear box was outgrown")
+ok(flat.model.mesh.rows > 1, "rows are added to the wear box")
 local rows = flat.history.box_rows
 is(rows[1] .. " " .. rows[#rows], "1.0 " .. flat.model.mesh.rows .. ".0", "the history contains the number of rows")
-ok(off(flat.volume.total, deep.volume.total) < 1e-9, "volume")
-ok(off(flat.p_center, deep.p_center) < 0.002, "pressure")
+ok(off(flat.volume.total, deep.volume.total) < 1e-9, "a wear box with added rows: volume")
+ok(off(flat.p_center, deep.p_center) < 0.002, "a wear box with added rows: pressure")
 
 -- Tests that a run saved before or after the enlargement of its mesh continues with identical bits.
 local path = os.tmpname()
@@ -57,14 +57,16 @@ a:save(path)
 local b = wear.open(path)
 a:run()
 b:run()
-is(b.p_center, a.p_center, "a run that was stored before it grew: the same bits")
-ok(b.model.mesh.zone.cylinder == a.model.mesh.zone.cylinder and b.model.mesh.zone.cylinder > 0.8, "a stored run has the same mesh")
+is(b.p_center, a.p_center, "a run saved before the enlargement continues with identical bits")
+ok(b.model.mesh.zone.cylinder == a.model.mesh.zone.cylinder and b.model.mesh.zone.cylinder > 0.8,
+  "a run saved before the enlargement has the same final mesh")
 a:save(path)
 local c = wear.open(path)
 c:run{ distance = 1500 }
 a:run{ distance = 1500 }
-is(c.p_center, a.p_center, "stored after it grew: the same bits")
-is(c.model.mesh.zone.cylinder, a.model.mesh.zone.cylinder, "on the mesh it had grown")
+is(c.p_center, a.p_center, "a run saved after the enlargement continues with identical bits")
+is(c.model.mesh.zone.cylinder, a.model.mesh.zone.cylinder,
+  "a run saved after the enlargement has its enlarged mesh")
 os.remove(path)
 
 -- Tests w:set with values that need a larger mesh.
@@ -73,29 +75,33 @@ s:run{ distance = 100 }
 local volume = s.volume.total
 warnings.keep()
 s:set{ stroke = 1.2, jump = "auto" }
-ok((warnings.take() or ""):find("the contact outgrows its mesh", 1, true), "the larger mesh is reported")
-ok(s.model.mesh.zone.plate > 1.3, "a longer stroke gets a wider plate")
-is(s.volume.total, volume, "the record stays")
+ok((warnings.take() or ""):find("the contact outgrows its mesh", 1, true),
+  "the enlargement by w:set is reported")
+ok(s.model.mesh.zone.plate > 1.3, "a longer stroke widens the plate's zone")
+is(s.volume.total, volume, "w:set of a longer stroke does not change the volume")
 s:run{ distance = 120 }
 ok(off(s.volume.total, 1e-8 * 100 * 120) < 1e-9, "a longer stroke: the run continues")
 local light = wear{ jump = "auto" }
 light:step()
 volume = light.volume.total
 light:set{ load = 2 }
-is(light.model.mesh.size, 0.02, "a lighter load keeps the mesh")
+is(light.model.mesh.size, 0.02, "a lighter load does not change the mesh")
 light:set{ mesh = { fineness = 2 }, load = 50 }
-ok(off(light.model.mesh.size, 0.01 / math.sqrt(2)) < 1e-9, "finer elements for fineness")
-ok((warnings.take() or ""):find("the user changed the mesh", 1, true), "a given mesh is reported")
-ok(light.model.mesh.rows * light.model.mesh.height >= 0.075, "the wear box is as deep as before")
-is(light.volume.total, volume, "the record stays")
+ok(off(light.model.mesh.size, 0.01 / math.sqrt(2)) < 1e-9, "w:set of the fineness changes the element size")
+ok((warnings.take() or ""):find("the user changed the mesh", 1, true),
+  "a mesh changed by the user is reported")
+ok(light.model.mesh.rows * light.model.mesh.height >= 0.075, "the wear box is at least as deep as before")
+is(light.volume.total, volume, "w:set of the mesh does not change the volume")
 light:step()
 ok(light.volume.total > volume, "a lighter load: the run continues")
 light:set{ mesh = { size = 0.02, rows = 4, zone = { plate = 1.6 } } }
 local mesh_now = light.model.mesh
-is(mesh_now.size .. " " .. mesh_now.rows .. " " .. mesh_now.zone.plate, "0.02 4 1.6", "sizes, rows and zones too")
+is(mesh_now.size .. " " .. mesh_now.rows .. " " .. mesh_now.zone.plate, "0.02 4 1.6",
+  "w:set of element size, rows and zone")
 light:save(path)
 local again = wear.open(path)
-is(again:step() and again.p_center, light:step() and light.p_center, "stored in between: the same bits")
+is(again:step() and again.p_center, light:step() and light.p_center,
+  "a run saved after w:set of the mesh continues with identical bits")
 os.remove(path)
 local stays = tostring(light)
 for fields, said in pairs{ [{ mesh = 3 }] = "field 'mesh': expected a table",
@@ -108,14 +114,17 @@ is(tostring(light), stays, "a refused change leaves the run unchanged")
 
 -- Tests the error for a contact that becomes as wide as the bodies.
 local soft = { radius = 7.3, cylinder = { E = 1e6, nu = 0.1 }, plate = { E = 5, nu = 0.49 } }
-ok(pcall(model, soft), "rows that just fit are no fewer for a rounding")
+ok(pcall(model, soft), "the rounded number of rows is not reduced")
 local _, why = pcall(contact, { model = soft })
-ok(tostring(why):find("the bodies are too small for this contact: their zones end at 11.68 and 11.68 mm", 1, true), "a contact that is too wide: reason")
+ok(tostring(why):find("the bodies are too small for this contact: their zones end at 11.68 and 11.68 mm", 1,
+  true),
+  "the message for a contact wider than the bodies")
 
 -- Tests a model whose mesh was sized for another load.
 warnings.take()
 contact{ model = model{}, load = 0.1 }
-ok((warnings.take() or ""):find("chosen for another load: give the model's fields", 1, true), "the message states a remedy")
+ok((warnings.take() or ""):find("chosen for another load: give the model's fields", 1, true),
+  "the message for a mesh sized for another load suggests a remedy")
 
 -- Tests that the run is unchanged if no larger mesh is possible.
 local full = wear{ model = { radius = 1, mesh = { size = 0.05, zone = { cylinder = 1.6, plate = 1.6 } } },
@@ -123,9 +132,10 @@ local full = wear{ model = { radius = 1, mesh = { size = 0.05, zone = { cylinder
 local fine, message = pcall(full.run, full)
 local at, pressure = full.distance, full.p_center
 tap.holds(message, { "of its wear box of 4 rows of 0.0625 mm, the largest number that fits; use smaller steps",
-  "zones end at 1.6 and 1.6 mm, wear boxes at 0.25 mm" }, "no room: the limits are named, no deeper box is advised")
+  "zones end at 1.6 and 1.6 mm, wear boxes at 0.25 mm" },
+    "the message states the limits of the mesh and suggests no deeper box")
 ok(not fine, "without a larger mesh the run ends")
-ok(not pcall(full.step, full), "again")
+ok(not pcall(full.step, full), "a second step fails, too")
 ok(full.distance == at and full.p_center == pressure and full:contact().p_center == pressure, "the run is unchanged")
 
 -- Tests as many layers as element rows, much thinner than the rows: each layer wears by its own k, and
@@ -138,7 +148,7 @@ local function on_layers(rows)
 end
 local few, many = on_layers():run{ depth = { plate = 12e-4 } }, on_layers(10):run{ depth = { plate = 12e-4 } }
 ok(off(few.p_center, many.p_center) < 1e-3 and off(few.distance, many.distance) < 1e-3,
-  ("three thin layers in a box of three rows wear as in one of ten: %.2g, %.2g"):format(off(few.p_center,
+  ("three thin layers in boxes of three and of ten rows; differences %.2g, %.2g"):format(off(few.p_center,
   many.p_center), off(few.distance, many.distance)))
 
 -- Tests that automatic steps do not become short near the edge of a zone, because the mesh is enlarged before
@@ -153,23 +163,24 @@ local function ball(zone)
     slide = "z", alpha = 1, k = 1e-7, distance = 100, jump = "auto" }
 end
 local pin = pin_in_hole():run()
-ok(pin.done and pin.update < 50, "a pin in a hole continues beyond the edge of its zone")
-ok(off(pin.volume.cylinder, 1e-7 * pin.load_distance) < 1e-12, "its volume is exact")
+ok(pin.done and pin.update < 50, "a pin in a hole wears beyond the edge of its zone")
+ok(off(pin.volume.cylinder, 1e-7 * pin.load_distance) < 1e-12, "the volume of a pin in a hole is exact")
 local narrow, wide = ball{ cylinder = 0.5, plate = 0.5 }:run(), ball{ cylinder = 1.2, plate = 1.2 }:run()
-ok(narrow.model.mesh.zone.cylinder > 0.5 and narrow.update < 60, "a ball does")
-ok(off(narrow.depth.cylinder, wide.depth.cylinder) < 5e-3, "its depth is that on the large mesh")
+ok(narrow.model.mesh.zone.cylinder > 0.5 and narrow.update < 60, "a ball wears beyond the edge of its zone")
+ok(off(narrow.depth.cylinder, wide.depth.cylinder) < 5e-3,
+  "the depth of the ball equals the depth on a large mesh")
 local halfway = pin_in_hole()
-for _ = 1, 14 do halfway:step() end -- the run is saved during the steps shortened at the edge
+for _ = 1, 14 do halfway:step() end -- the run is saved during the shortened steps at the edge
 halfway:save(path)
 halfway = wear.open(path):run()
-is(halfway.p_center, pin.p_center, "stored at the edge: the same bits")
-is(halfway.update, pin.update, "a run stored at the edge: number of updates")
+is(halfway.p_center, pin.p_center, "a run saved at the edge continues with identical bits")
+is(halfway.update, pin.update, "a run saved at the edge has the same number of updates")
 os.remove(path)
 
 -- Tests that steps so short that the run would never end are refused.
 local endless = wear{ jump = function() return 1e-14 end, distance = 2000 }
 local ended, because = pcall(endless.run, endless)
-ok(not ended and endless.update < 50, "steps without end are refused")
+ok(not ended and endless.update < 50, "extremely short steps are refused")
 tap.holds(because, { "field 'jump'", "the last 30 steps", "remain, so the run would not end", "use longer steps" }, "the error shows the last steps")
 
 -- Tests uniform wear over the whole plate. It changes the contact only where layers become thinner; automatic
@@ -181,20 +192,22 @@ end
 for what, steps in pairs{ ["automatic steps"] = { jump = "auto" }, ["implicit ones"] = { scheme = "implicit", tolerance = 1e-3 } } do
   steps.load, steps.alpha, steps.k = 100, 0, 1e-8
   local even = over_plate(steps)
-  ok(even.done and even.update < 60, ("%s of what wears evenly and alone are long: %d"):format(what, even.update))
-  ok(off(even.depth.plate, 1e-8 * 100 * 1e5 / 20) < 1e-12, "its depth is that of the load over the plate")
+  ok(even.done and even.update < 60,
+    ("%s in uniform wear of the plate: %d updates"):format(what, even.update))
+  ok(off(even.depth.plate, 1e-8 * 100 * 1e5 / 20) < 1e-12,
+    "the depth is k times load times distance over the width")
 end
 local soft = over_plate{ load = 10, jump = "auto", model = { upper = body.cylinder{ radius = 10, E = 1e9, k = 0 },
   lower = body.block{ width = 20, height = 10, E = 1e9, k = 0, layers = { { thickness = 0.1, material = material{ E = 1000, k = 1e-6 } } } } } }
 ok(soft.done and soft.update < 150, ("a soft layer on rigid bodies: %d steps"):format(soft.update))
 local rise, depth, pressure = 0, soft.history.depth_plate, soft.history.p_center
 for i = 2, #pressure do rise = math.max(rise, pressure[i] / pressure[i - 1]) end
-ok(rise < 1.05 and pressure[#pressure] > 1.1 * pressure[1], "its pressure rises in steps of less than 5 %")
-ok(off(depth[#depth], 0.05) < 1e-12, "half of it is gone")
+ok(rise < 1.05 and pressure[#pressure] > 1.1 * pressure[1], "the pressure rises by less than 5 % in a step")
+ok(off(depth[#depth], 0.05) < 1e-12, "half of the soft layer is worn")
 
 -- Tests worn surfaces that touch over a larger width than unworn surfaces: the mesh of the run is large
 -- enough from the start.
 local conformal = { k = 1e-6, distance = 660, jump = "auto", worn = { plate = function(x) return math.max(0, (0.81 - x * x) / 20) end } }
 local wide = wear(conformal)
-ok(wide.half_width > 0.8, ("a conformal start: half width %.2f mm"):format(wide.half_width))
-ok(wide:run{ progress = false }.done, "a conformal worn start runs to its end")
+ok(wide.half_width > 0.8, ("a conformal worn surface: half width %.2f mm"):format(wide.half_width))
+ok(wide:run{ progress = false }.done, "a run from a conformal worn surface ends at its distance")

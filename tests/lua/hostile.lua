@@ -1,10 +1,12 @@
 -- Tests hostile scripts: every public function, method and field is called with arguments whose metamethods,
 -- callbacks and finalizers close, change and use the objects of the call. No call may crash, messages must be
 -- texts that name no line of the program's own scripts, and objects must stay valid.
+--   ARCHARD_CALLS=100000 ARCHARD_SEED=7 tests/run lua/hostile      more calls, with another seed
+--   ARCHARD_FIRST=1234 ARCHARD_CALLS=1234 ...                      call 1234 of the seed only
+-- Ordinary collector settings: even under sanitizers this file is run without continuous garbage collection,
+-- because it sets the mode of the garbage collector itself.
+
 -- Long
---   ARCHARD_CALLS=100000 ARCHARD_SEED=7 tests/run lua/hostile      more and other calls
---   ARCHARD_FIRST=1234 ARCHARD_CALLS=1234 ...                      only call 1234 of a seed
--- Ordinary collector settings are used (see tests/run): this test sets the mode of the garbage collector itself.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local help, settings = require "archard.help", require "archard.settings"
@@ -67,7 +69,7 @@ local function is_long(address)
 end
 
 local short_list, long_list = {}, {}
--- Adds a function of the program, whose name is `address`, to the lists; f() calls it.
+-- Adds the function f, which calls the program's function named `address`, to the lists.
 local function add(address, f)
   if left_out[address] then return end
   local list = is_long(address) and long_list or short_list
@@ -108,7 +110,7 @@ local function add_field(class, name)
   end)
 end
 
--- Calls to the functions of a metatable with arbitrary arguments.
+-- Adds calls to the functions of a metatable with arbitrary arguments.
 local function add_metatable(class, value)
   local metatable = debug.getmetatable(value or objects[class])
   for _, event in ipairs{ "__index", "__newindex", "__tostring", "__gc", "__close", "__eq", "__call", "__worn" } do
@@ -306,7 +308,7 @@ local function check_error(err, number)
   local ours = type(err) == "table" and err.message ~= nil
   local fine, text = pcall(tostring, err)
   if not (ours or type(err) == "string") or not fine or type(text) ~= "string" then
-    return note(wrong.kind, number, ("a %s that is told as %s"):format(type(err), tostring(text)))
+    return note(wrong.kind, number, ("a %s that is printed as %s"):format(type(err), tostring(text)))
   end
   text = text:gsub("\nstack traceback.*", "")
   if text:find "scripts/[%w_/]+%.lua:%d" and not text:find "stack overflow" then note(wrong.words, number, text) end
@@ -319,7 +321,7 @@ local function lack_of_run(w)
   local rows = #history.distance
   if rows ~= #history.volume_plate or rows < 1 then return "columns of different lengths" end
   for i = 2, rows do
-    if not (history.distance[i] > history.distance[i - 1]) then return "a distance that does not grow" end
+    if not (history.distance[i] > history.distance[i - 1]) then return "a distance that does not increase" end
   end
   for name, column in pairs(history) do
     for i = 1, rows do
@@ -329,14 +331,14 @@ local function lack_of_run(w)
   if history.distance[rows] ~= w.distance or history.depth_plate[rows] ~= w.depth.plate then return "another last row" end
   local profile = w:profile "plate"
   for _, h in ipairs(profile.h) do
-    if h ~= h or h < -1e-12 then return "a depth that is none" end
+    if h ~= h or h < -1e-12 then return "an invalid depth" end
   end
 end
 
 local untouched = tostring(objects.wear)
 
 local function check_run(number)
-  collectgarbage "stop" -- because a finalizer could step the run between two reads
+  collectgarbage "stop" -- a finalizer could step the run between two reads
   local fine, lack = pcall(lack_of_run, objects.wear)
   collectgarbage "restart"
   if not fine and not tostring(lack):find "has been closed" then lack = tostring(lack) end
@@ -401,11 +403,11 @@ local function none(list, what)
   for i = 1, math.min(#list, 40) do tap.note(list[i]) end
 end
 tap.ok(last - first < 1000 or refused > (last - first) / 4,
-  ("calls %d to %d of seed %d, %d of them refused"):format(first, last, seed, refused))
+  ("calls %d to %d with seed %d: %d refused"):format(first, last, seed, refused))
 none(wrong.kind, "raised values are texts or error objects")
 none(wrong.words, "no message contains a position in a script of archard")
-none(wrong.state, "runs are at the end of an update")
-tap.is(different, 0, "a run on the same model gives the same bits")
+none(wrong.state, "every run is at the end of an update")
+tap.is(different, 0, "a run on the same model gives identical bits after hostile calls")
 os.execute("rm -rf " .. folder)
 -- Removes files that calls created from arguments used as file names.
 for _, name in ipairs{ "cylinder", "plate", "auto", "%s%n", "100", "implicit", ("x"):rep(300) } do os.remove(name) end

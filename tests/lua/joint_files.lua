@@ -13,8 +13,8 @@ local function bits(list)
   return table.concat(words, " ")
 end
 local function same(a, b, what)
-  is(("%a"):format(b.cycle), ("%a"):format(a.cycle), what .. ": cycles")
-  is(b.record.solutions, a.record.solutions, what .. ": contacts")
+  is(("%a"):format(b.cycle), ("%a"):format(a.cycle), what .. ": cycle")
+  is(b.record.solutions, a.record.solutions, what .. ": number of contact solutions")
   for _, map in ipairs{ "head", "cup", "cross shear", "creep", "pressure" } do
     ok(bits(b:map(map).values) == bits(a:map(map).values), what .. ": " .. map)
   end
@@ -33,23 +33,26 @@ for what, def in pairs{ steps = { k = 1e-9 }, updates = { k = 1e-9, updates = 8 
   def.model, def.cycles = liner, def.cycles or 5e5
   local whole, first = wear(def):run{ progress = false }, wear(def)
   pcall(first.run, first, { progress = function(r) if r.cycle > 0.1 * def.cycles then error "stop" end end })
-  ok(first.cycle < def.cycles, what .. ": stopped at " .. first.cycle)
+  ok(first.cycle < def.cycles, what .. ": the run is stopped at cycle " .. first.cycle)
   first:save(kept)
-  if what == "shear" then fails(function() joint.open(kept) end, "field 'k'", "a function is to be given again") end
+  if what == "shear" then fails(function() joint.open(kept) end, "field 'k'",
+    "a function must be given again") end
   local again = joint.open(kept, { k = sheared, alpha = def.alpha, creep = def.creep })
   same(first, again, what .. ", opened")
-  same(first, wear.open(kept, { k = sheared, alpha = def.alpha, creep = def.creep }), what .. ", by wear.open")
-  is(tostring(again), tostring(first), what .. ": print")
-  same(whole, again:run{ progress = false }, what .. ", gone on with")
+  same(first, wear.open(kept, { k = sheared, alpha = def.alpha, creep = def.creep }),
+    what .. ", opened by wear.open")
+  is(tostring(again), tostring(first), what .. ": printed text")
+  same(whole, again:run{ progress = false }, what .. ", continued")
 end
 local named = material{ E = 1000, nu = 0.4, name = "UHMWPE" }
 wear{ model = joint{ mesh = { size = 4 }, cup = { layers = { { thickness = 8, material = named } } } } }:save(kept)
-ok(tostring(wear.open(kept)):find("cup       8 mm of UHMWPE, E 1000 MPa", 1, true), "materials keep their names")
-fails(function() joint.open(kept .. ".none") end, "none", "a file that there is not")
+ok(tostring(wear.open(kept)):find("cup       8 mm of UHMWPE, E 1000 MPa", 1, true),
+  "the names of materials are stored")
+fails(function() joint.open(kept .. ".none") end, "none", "a missing file")
 local foreign = io.open(kept, "w")
 foreign:write "mine"
 foreign:close()
-fails(function() joint.open(kept) end, "run file", "a file of another kind")
-fails(function() wear{ model = liner }:save(kept) end, kept, "a file of another kind is not replaced")
+fails(function() joint.open(kept) end, "run file", "a file that is not a run file")
+fails(function() wear{ model = liner }:save(kept) end, kept, "a file that is not a run file is not replaced")
 os.remove(kept)
 

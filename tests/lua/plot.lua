@@ -12,14 +12,14 @@ do
   local text = picture_of(function(file)
     plot { line, title = "a title", xlabel = "x / mm", ylabel = "y / µm", file = file }
   end)
-  has(text, "a title", "the title is there")
-  has(text, "x / mm", "the label of x is there")
-  has(text, "y / µm", "the label of y is there, in UTF-8")
+  has(text, "a title", "a plot shows its title")
+  has(text, "x / mm", "a plot shows the label of x")
+  has(text, "y / µm", "a plot shows the label of y in UTF-8")
   has(text, "* squares", "the key names the curve")
-  ok(not text:find("\27"), "a file of characters has no colours")
+  ok(not text:find("\27"), "a text file contains no colours")
 
   text = picture_of(function(file) plot { y = { 3, 1, 2 }, file = file } end)
-  ok(#text > 100, "a curve without x is drawn against 1, 2, 3")
+  ok(#text > 100, "a curve without x is drawn over 1, 2, 3")
 
   text = picture_of(function(file)
     plot { line, { x = { 0, 3 }, y = { 0, 9 } }, key = false, file = file }
@@ -32,7 +32,7 @@ do
   has(text, "10000", "logarithmic axes")
 
   text = picture_of(function(file) plot { line, xrange = { 3, 0 }, file = file } end)
-  ok(text:match("\n +3%.0 .* 0%.0\n"), "a range can be turned round")
+  ok(text:match("\n +3%.0 .* 0%.0\n"), "a reversed range reverses the axis")
 end
 
 for _, style in ipairs { "lines", "points", "linespoints", "steps", "filled", "impulses" } do
@@ -48,11 +48,11 @@ do
   local text = picture_of(function(file)
     plot { panels = panels, layout = { 4, 3 }, size = { 100, 60 }, title = "all", file = file }
   end)
-  has(text, "panel 12", "twelve panels")
+  has(text, "panel 12", "twelve panels are drawn")
   local keys = select(2, text:gsub("squares", ""))
-  ok(keys == 1, "one key for all of them")
+  ok(keys == 1, "twelve panels have one key")
   refused(function() plot { panels = panels, layout = { 2, 2 } } end, "do not fit",
-    "a layout that is too small")
+    "a layout with too few panels")
 end
 
 -- --- numbers on axes ------------------------------------------------------------------------------
@@ -66,18 +66,18 @@ do
   local large = { x = { 0, 1 }, y = { 1.0000001, 1.0000004 }, ylabel = "p", xlabel = "d" }
   plot { panels = { small, large }, layout = { 2, 1 }, file = folder .. "/n.gp" }
   local script = read("n.gp") or ""
-  has(script, "set format y '%.0t×10^{%T}'", "powers of ten in files")
+  has(script, "set format y '%.0t×10^{%T}'", "files show small numbers as powers of ten")
   has(script, "set format y '%.8f'", "enough digits to distinguish neighbouring numbers")
   local margins = {}
   for left in script:gmatch("set lmargin at screen ([%d.]+)\nset rm") do
     margins[#margins + 1] = tonumber(left)
   end
-  ok(#margins == 2 and margins[1] == margins[2], "aligned frames")
-  ok(margins[1] and margins[1] * 900 / 8 > 9 + 3.2, "with room for the longest number and the label")
+  ok(#margins == 2 and margins[1] == margins[2], "the frames of two panels are aligned")
+  ok(margins[1] and margins[1] * 900 / 8 > 9 + 3.2, "the margin contains the longest number and the label")
   local narrow = { x = { -0.1, 0, 0.1 }, y = { 0, 1, 0 }, xrange = { -0.1, 0.1 } }
   plot { panels = { narrow, narrow }, layout = { 1, 2 }, file = folder .. "/x.gp" }
   local step = (read("x.gp") or ""):match("set xtics ([%d.e-]+)")
-  ok(tonumber(step) and tonumber(step) > 0.02, "numbers of x do not touch")
+  ok(tonumber(step) and tonumber(step) > 0.02, "the distance of the numbers on the x axis is large enough")
 end
 
 -- --- figures with many curves, panel letters ----------------------------------------------------
@@ -90,41 +90,41 @@ do
   for dash in script:gmatch("dashtype (%S+)") do
     if not dashes[dash] then dashes[dash], different = true, different + 1 end
   end
-  ok(different == 7, "eight curves, eight dashes, the first of them full")
+  ok(different == 7, "eight curves have seven dash patterns and a solid line")
   for i = 9, 12 do curves[i] = { x = { 0, 1 }, y = { 0, i }, title = "curve " .. i } end
   script = script_of(function(file) curves.file = file plot(curves) end)
-  has(script, "unset key", "more than eight have no key")
+  has(script, "unset key", "more than eight curves have no key")
   has(script, 'set label 12 "curve 12" noenhanced at graph 1.015, graph 1', "many curves are labelled at their ends")
   ok(not script:find("title \"curve"), "many curves have no key")
   for i = 1, 12 do curves[i].value = i end
   curves.vlabel = "\\alpha"
   script = script_of(function(file) curves.file = file plot(curves) end)
-  has(script, "linecolor palette cb 7", "or a scale of colours")
-  has(script, 'set cblabel "α"', "label of the colours")
+  has(script, "linecolor palette cb 7", "curves with values have colours of a scale")
+  has(script, 'set cblabel "α"', "the colour scale has a label")
   curves.file, curves.size = folder .. "/s.txt", { 100, 40 }
   plot(curves)
   local named = select(2, (read("s.txt") or ""):gsub("curve %d", ""))
-  ok(named == 8, "of which characters name eight (" .. named .. ")")
+  ok(named == 8, "a text picture names eight of twelve curves (" .. named .. ")")
 end
 
 do
   local script = script_of(function(file)
     plot { panels = { { line, title = "left" }, { line } }, file = file }
   end)
-  has(script, 'set title "(a) left"', "panels have letters")
-  has(script, 'set title "(b)"', "without a title too")
+  has(script, 'set title "(a) left"', "a panel with a title has a letter")
+  has(script, 'set title "(b)"', "a panel without a title has a letter")
   script = script_of(function(file)
     plot { panels = { { line, title = "left" }, { line } }, letters = false, file = file }
   end)
-  has(script, 'set title "left"', "or have not")
+  has(script, 'set title "left"', "letters=false draws no letters")
   script = script_of(function(file)
     plot { line, title = ("a long title of many words, "):rep(6), file = file }
   end)
-  ok(script:match('set title "[^\n]+,"%."\\n"%."a long'), "a long title has lines")
+  ok(script:match('set title "[^\n]+,"%."\\n"%."a long'), "a long title is broken into lines")
   script = script_of(function(file) plot { x = { 0, 1 }, y = { 0, 7e-4 }, file = file } end)
-  has(script, "set format y '%.0t×10^{%T}'", "small numbers as powers of ten")
+  has(script, "set format y '%.0t×10^{%T}'", "an axis of small numbers uses powers of ten")
   script = script_of(function(file) plot { x = { 0, 1 }, y = { 0, 0.7 }, file = file } end)
-  has(script, "set format y '%.1f'", "others plain, with as many decimals as the step")
+  has(script, "set format y '%.1f'", "other numbers have as many decimals as their step")
 end
 
 -- --- refused input ------------------------------------------------------------------------------
@@ -163,22 +163,24 @@ do
   ok(problem.code == "ARGUMENT" and problem.where == "plot", "an error has a code and a function")
   local chunk = load("\nplot{ tilte = 1 }", "=mine")
   _, problem = pcall(chunk)
-  has(tostring(problem), "mine:2: plot: unknown field", "an error names the user's line")
+  has(tostring(problem), "mine:2: plot: unknown field", "an error contains the line of the user's script")
   refused(function() plot(nil) end, "got nil", "plot without a table")
-  refused(function() plot.default.term = "dump" end, "plot.default: field 'term'", "a wrong default")
+  refused(function() plot.default.term = "dump" end, "plot.default: field 'term'",
+    "an invalid default is refused")
   plot.default.term = "dumb"
   plot.default.term = "dump"
   refused(function() plot { line } end, "plot.default: field 'term'", "a wrong default is reported by any plot")
   plot.default.term = nil
   refused(function() plot.default.sise = { 60, 12 } end, "plot.default: unknown field 'sise' (did you mean 'size'?)",
-    "an unknown one")
-  refused(function() return plot.default.siz end, "plot.default: no field 'siz'; did you mean 'size'?", "read, too")
-  ok(plot.default.size == nil, "none by itself")
+    "an unknown default is refused")
+  refused(function() return plot.default.siz end, "plot.default: no field 'siz'; did you mean 'size'?",
+    "reading of an unknown default is refused")
+  ok(plot.default.size == nil, "a default that is not set is nil")
   plot.default.file_size = { 44, 11 }
   local small = picture_of(function(file) plot { line, file = file } end)
   local longest = 0
   for row in small:gmatch("[^\n]+") do longest = math.max(longest, utf8.len(row)) end
-  ok(longest > 30 and longest <= 44, ("files have a default size of their own (%d columns)"):format(longest))
+  ok(longest > 30 and longest <= 44, ("files have their own default size (%d columns)"):format(longest))
   plot.default.file_size = nil
 end
 
@@ -190,9 +192,9 @@ do
     end)
     return text:match("(%d+) +%+")
   end
-  ok(first_tick{ { 0, 20 }, false } == "20", "the larger end of the range is above")
-  ok(first_tick{ { 0, 20 }, true } == "0", "ydown turns a range")
-  ok(first_tick{ { 20, 0 }, true } == "0", "whichever end it names first")
+  ok(first_tick{ { 0, 20 }, false } == "20", "the larger end of the range is at the top")
+  ok(first_tick{ { 0, 20 }, true } == "0", "ydown reverses a range")
+  ok(first_tick{ { 20, 0 }, true } == "0", "ydown reverses a range given in either order")
 end
 
 pictures.remove()

@@ -18,11 +18,11 @@ do
       ylabel = evil, size = { 300, 24 }, file = file }
   end)
   has(text, "`touch " .. ran .. "`", "a title is shown unchanged")
-  ok(not text:find("\27"), "no escape code gets through")
+  ok(not text:find("\27"), "a text file contains no escape code")
   pcall(plot, { line, file = folder .. "/`touch ran`.png" })
   pcall(plot, { line, file = "|touch " .. ran .. ".png" })
   os.remove("|touch " .. ran .. ".png")
-  ok(not read("ran") and not read("ran.png"), "nothing of it runs")
+  ok(not read("ran") and not read("ran.png"), "commands in texts and file names are not executed")
 end
 
 -- --- files --------------------------------------------------------------------------------------
@@ -33,18 +33,19 @@ for ending, first in pairs(first_bytes) do
   ok((read("f." .. ending) or ""):sub(1, #first) == first, "a file of kind " .. ending)
 end
 refused(function() plot { line, file = folder .. "/no/f.png" } end, "No such file",
-  "a folder that is not there")
+  "a missing folder")
 
 do
   plot.save { line, { x = { 1, 2 }, y = { 0.1, 0 / 0 }, title = 'a "b", c' }, xlabel = "x / mm",
     file = folder .. "/s.png" }
   local lines = {}
   for row in (read("s.csv") or ""):gmatch("[^\n]+") do lines[#lines + 1] = row end
-  ok(read("s.png"), "plot.save draws")
+  ok(read("s.png"), "plot.save draws a picture")
   ok(lines[1] == 'squares: x / mm,squares: y,"a ""b"", c: x / mm","a ""b"", c: y"',
-    "and names the columns")
-  ok(lines[2] == "0,0,1,0.1", "the shortest numbers that read back to the same bits")
-  ok(lines[3] == "1,1,2,nan" and lines[5] == "3,9,,", "nan, and shorter columns end early")
+    "plot.save writes the names of the columns")
+  ok(lines[2] == "0,0,1,0.1", "plot.save writes the shortest numbers that are read back exactly")
+  ok(lines[3] == "1,1,2,nan" and lines[5] == "3,9,,",
+    "plot.save writes nan; shorter columns have empty cells")
   plot { { x = { 7, 8 }, y = { 1, 2 } }, file = folder .. "/shown.txt" }
   plot.save(folder .. "/again.svg")
   has(read("again.csv") or "", "\n8,2\n", "plot.save(path) saves the last picture")
@@ -66,28 +67,31 @@ do
   plot.style "paper"
   plot { line, file = folder .. "/c.png" }
   local width, height = png_size("c.png")
-  ok(width == 2008 and height == 1446, "paper: a column of 85 mm at 600 dpi (" .. width .. ")")
+  ok(width == 2008 and height == 1446, "style paper: a column of 85 mm at 600 dpi (" .. width .. ")")
   plot { panels = { { line }, { line } }, layout = { 1, 2 }, file = folder .. "/c.png" }
-  ok(png_size("c.png") == 4016, "panels side by side take the page's 170 mm")
+  ok(png_size("c.png") == 4016, "panels side by side have the page's width of 170 mm")
   plot.style { width = "page", dpi = 300 }
   plot { line, file = folder .. "/c.png" }
   ok(png_size("c.png") == 2008, "a later option of the style applies to later files")
   plot { line, file = folder .. "/c.png", size = { 1000, 500 } }
   width, height = png_size("c.png")
-  ok(width == 1000 and height == 500, "the given size in pixels")
+  ok(width == 1000 and height == 500, "a size given in pixels")
   plot.style { "paper", font = "Serif" }
   plot { line, file = folder .. "/c.pdf" }
   local box_x, box_y = (read("c.pdf") or ""):match("/MediaBox %[ 0 0 (%d+) (%d+) ?%]")
-  ok(box_x == "240" and box_y == "173", "a pdf is as large on paper: 240 by 173 pt, whole ones")
+  ok(box_x == "240" and box_y == "173", "a PDF file has the printed size, 240 by 173 pt")
   local held = plot.style()
   ok(held.name == "paper" and held.points == 8 and held.font == "Serif", "plot.style() returns the style")
   plot.style "slides"
   plot { line, file = folder .. "/c.png" }
-  ok(png_size("c.png") == 1500, "slides: 254 mm at 150 dpi")
-  refused(function() plot.style "poster" end, '"paper", "journal", "slides" or "screen"', "no such style")
-  refused(function() plot.style { "paper", widht = 3 } end, "did you mean 'width'", "a wrong option")
-  refused(function() plot.style { "paper", width = 5 } end, "a number in [20, 1000]", "5 mm")
-  refused(function() plot.style { "screen", width = 85 } end, "size in pixels", "mm on the screen")
+  ok(png_size("c.png") == 1500, "style slides: 254 mm at 150 dpi")
+  refused(function() plot.style "poster" end, '"paper", "journal", "slides" or "screen"', "an unknown style")
+  refused(function() plot.style { "paper", widht = 3 } end, "did you mean 'width'",
+    "a misspelt option of a style")
+  refused(function() plot.style { "paper", width = 5 } end, "a number in [20, 1000]",
+    "a style with a width of 5 mm")
+  refused(function() plot.style { "screen", width = 85 } end, "size in pixels",
+    "a width in mm for the screen")
   plot.style "screen"
   plot { line, file = folder .. "/c.png" }
   ok(png_size("c.png") == 900, "the screen style restores the sizes")
@@ -110,9 +114,10 @@ do
   local _, problem = pcall(plot, { line })
   ok(problem.code == "MISSING", "the error code MISSING")
   fake("dying", "exit 3")
-  refused(function() plot { line } end, "exit status 3", "gnuplot dies at its start")
+  refused(function() plot { line } end, "exit status 3", "gnuplot ends when it is started")
   fake("slow", "sleep 0.5; exec gnuplot \"$@\"")
-  has(picture_of(function(file) plot { line, file = file } end), "squares", "a slow start is awaited")
+  has(picture_of(function(file) plot { line, file = file } end), "squares",
+    "a gnuplot that starts slowly is used")
   gnuplot.use("gnuplot")
   has(picture_of(function(file) plot { line, file = file } end), "squares", "drawing works again after a failure")
   local version, terminals = gnuplot.about()

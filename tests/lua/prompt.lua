@@ -15,60 +15,62 @@ local function state(text)
 end
 
 tap.is(state("1 + 1"), 2, "an expression gives its value")
-tap.is(state("= 6 * 7"), 42, "with = before it too")
-tap.is(state("return 5"), 5, "return is understood")
+tap.is(state("= 6 * 7"), 42, "an expression after = gives its value")
+tap.is(state("return 5"), 5, "return gives a value")
 tap.is(state("-- nothing"), nil, "a comment is complete")
 tap.is(state(""), nil, "an empty text is complete")
 for _, text in ipairs { "for i = 1, 2 do", "x = {", "f(", "1 +", "[[ text", "a = [==[ x", "if x then",
   "function f()", "x =", "--[[ comment", "print('a',", "repeat", "w = wear{ k=1e-8,",
   "'text \\" } do
-  tap.is(state(text), "open", "more lines are asked for after: " .. text)
+  tap.is(state(text), "open", "incomplete text: " .. text)
 end
 for _, text in ipairs { "x = = 1", "end", "a b", "'text", "for 1", "1 + + 2)" } do
-  tap.is(state(text), "wrong", "no more lines help: " .. text)
+  tap.is(state(text), "wrong", "wrong text: " .. text)
 end
-tap.is(state("local a = 2\na * 3"), 6, "the last line of a paste is shown")
-tap.is(state("t = 0\nfor i = 1, 3 do\n  t = t + i\nend\nt"), 6, "a loop before it runs to its end")
-tap.is(state("n = 0\nfor i = 1, 3 do\n  n = n + 1\nend"), nil, "the end of a loop is no value")
-tap.is(n, 3, "a whole loop is run")
-tap.is(state("a = 7\n-2"), nil, "a line that continues the one before is not separated")
-tap.is(a, 5, "the value is as Lua reads it")
+tap.is(state("local a = 2\na * 3"), 6, "the value of the last pasted line is shown")
+tap.is(state("t = 0\nfor i = 1, 3 do\n  t = t + i\nend\nt"), 6,
+  "a pasted loop runs to its end before the last line")
+tap.is(state("n = 0\nfor i = 1, 3 do\n  n = n + 1\nend"), nil, "the end of a loop has no value")
+tap.is(n, 3, "a pasted loop is run completely")
+tap.is(state("a = 7\n-2"), nil, "a line that continues the previous line is not separated")
+tap.is(a, 5, "the continued line has the value that Lua computes")
 local _, message = prompt.compile("x = = 1", "=name", 12)
-tap.is(message, "name:12: unexpected symbol near '='", "messages count lines from where it began")
+tap.is(message, "name:12: unexpected symbol near '='", "line numbers in messages start at the given line")
 
 -- --- values ------------------------------------------------------------------------------------
 
 local function looks(value, text, what) tap.is(pretty.format(value, { width = 80 }), text, what) end
 looks(1.5, "1.5", "a number")
 looks("a\tb", "a\tb", "a string is shown unchanged")
-looks({ "a\n\"b\"\\" }, [[{ "a\n\"b\"\\" }]], "a string in a table quoted")
-looks({ "µm" }, '{ "µm" }', "UTF-8 is left alone")
-looks({ "\xff\0" }, '{ "\\255\\0" }', "bytes that are no text are numbers")
+looks({ "a\n\"b\"\\" }, [[{ "a\n\"b\"\\" }]], "a string in a table is quoted")
+looks({ "µm" }, '{ "µm" }', "UTF-8 in a table is shown unchanged")
+looks({ "\xff\0" }, '{ "\\255\\0" }', "bytes that are not UTF-8 are shown as numbers")
 looks({}, "{}", "an empty table")
 looks({ b = 1, a = 2, [10] = 3, [true] = 4, 5 }, "{ 5, [10] = 3, a = 2, b = 1, [true] = 4 }",
-  "keys in order")
-looks({ 0 / 0, -(0 / 0), -0.0, 1 / 0 }, "{ nan, nan, 0, inf }", "numbers that are none")
-looks({ ["end"] = 1, ["a b"] = 2 }, '{ ["a b"] = 2, ["end"] = 1 }', "keys that are no names")
-looks({ 1 / 3, 2 }, "{ 0.333333, 2 }", "six digits in a list")
-looks({ x = 1 / 3 }, "{ x = 0.33333333333333 }", "all in a field")
-looks({ { { { { { 1 } } } } } }, "{ { { { { {...} } } } } }", "depth has an end")
+  "keys of a table are sorted")
+looks({ 0 / 0, -(0 / 0), -0.0, 1 / 0 }, "{ nan, nan, 0, inf }", "nan, negative zero and infinity")
+looks({ ["end"] = 1, ["a b"] = 2 }, '{ ["a b"] = 2, ["end"] = 1 }', "keys that are not identifiers")
+looks({ 1 / 3, 2 }, "{ 0.333333, 2 }", "numbers in a list have six digits")
+looks({ x = 1 / 3 }, "{ x = 0.33333333333333 }", "numbers in a field have fourteen digits")
+looks({ { { { { { 1 } } } } } }, "{ { { { { {...} } } } } }", "deep tables are shortened")
 local cycle = {}
 cycle.me = { cycle }
 looks(cycle, "{ me = { <cycle> } }", "a table with a cycle")
 local twice = { 1 }
 looks({ twice, twice }, "{ { 1 }, { 1 } }", "a table shown twice is not a cycle")
-looks(setmetatable({}, { __tostring = function() return "mine" end }), "mine", "__tostring rules")
+looks(setmetatable({}, { __tostring = function() return "mine" end }), "mine",
+  "an object is shown by its __tostring")
 looks({ setmetatable({}, { __tostring = function() return "one\ntwo" end }) }, "{ one ... }",
-  "in one line within a table")
+  "an object in a table is shown on one line")
 tap.holds(pretty.format(setmetatable({}, { __tostring = function() error("oops") end })), "oops",
-  "a __tostring that fails is told")
+  "an error in __tostring is shown")
 looks(setmetatable({ 1 }, { __index = error, __pairs = error, __len = error }), "{ 1 }",
-  "no other metamethod runs")
+  "no metamethod except __tostring is called")
 local long = {}
 for i = 1, 1000 do long[i] = i end
 tap.holds(pretty.format(long), { "..., 1000", "(1000 items)" }, "a long list is shortened")
 tap.holds(pretty.format({ x = long }), "x = { 1, 2, 3, 4, ..., 1000 } (1000 items)",
-  "more so in a table")
+  "a long list in a table is shortened further")
 local wide = true
 for width = 20, 120, 7 do
   local deep = { name = long, list = { { a = 1, b = "text" }, { a = 2, b = "more text" } }, long }
@@ -76,15 +78,15 @@ for width = 20, 120, 7 do
     wide = wide and #line <= math.max(width, 60)
   end
 end
-tap.ok(wide, "lines fit the width")
+tap.ok(wide, "lines fit the given width")
 local huge = {}
 for i = 1, 80 do
   huge[i] = {}
   for j = 1, 80 do huge[i]["k" .. j] = { j } end
 end
-tap.ok(#pretty.format(huge) < 100000, "large tables do not flood")
+tap.ok(#pretty.format(huge) < 100000, "the text of a large table is limited")
 tap.is(pretty.format({ 1, "a" }, { colour = true }), "{ \27[36m1\27[0m, \27[32m\"a\"\27[0m }",
-  "colours when asked for")
+  "colours on request")
 
 -- --- completion --------------------------------------------------------------------------------
 
@@ -93,14 +95,14 @@ local function words(text)
   if type(list) == "string" then return list end
   return table.concat(list, " ") .. (append ~= "" and "|" .. append or "")
 end
-local function offers(text, expected) tap.is(words(text), expected, "completed: " .. text) end
+local function offers(text, expected) tap.is(words(text), expected, "completions of: " .. text) end
 local function has(text, wanted, unwanted)
   local list = " " .. words(text):gsub("|.*", "") .. " "
   for word in (wanted or ""):gmatch("%S+") do
-    tap.ok(list:find(" " .. word .. " ", 1, true), "completed with " .. word .. ": " .. text)
+    tap.ok(list:find(" " .. word .. " ", 1, true), "completion " .. word .. " for: " .. text)
   end
   for word in (unwanted or ""):gmatch("%S+") do
-    tap.ok(not list:find(" " .. word .. " ", 1, true), "not with " .. word .. ": " .. text)
+    tap.ok(not list:find(" " .. word .. " ", 1, true), "no completion " .. word .. " for: " .. text)
   end
 end
 
@@ -145,7 +147,8 @@ has("w:set{ ", "alpha load loading stroke", "model worn geometry wear print")
 has("w:set{ model={ ", "", "radius mesh")
 for _, name in ipairs(complete.words "w:set{ ") do
   local _, err = pcall(w.set, w, { [name] = print })
-  tap.ok(not tostring(err):find "unknown field" and not tostring(err):find "cannot be changed", "w:set takes " .. name)
+  tap.ok(not tostring(err):find "unknown field" and not tostring(err):find "cannot be changed",
+    "w:set accepts " .. name)
 end
 offers("w:run{ st", "stop_when|=")
 offers("w:run{ depth={ c", "cylinder|=")
@@ -182,7 +185,7 @@ _G.trap = setmetatable({}, { __index = function() called = true end, __pairs = e
   __len = error, __eq = error })
 offers("trap.x.", "")
 offers("trap.", "")
-tap.ok(not called, "completion runs no metamethod")
+tap.ok(not called, "completion calls no metamethod")
 _G.broken = setmetatable({}, { __fields = function() error("no") end })
 offers("broken.", "")
 
@@ -192,12 +195,12 @@ tap.is(help.address_of(wear), "wear", "help address of a constructor")
 tap.is(help.address_of(w), "wear", "help address of an object")
 tap.is(help.address_of(w.step), "wear.step", "help address of a method")
 tap.is(help.address_of(plot.pressure), "plot.pressure", "help address of a function")
-tap.is(help.address_of(print), nil, "no help address of Lua's functions")
-tap.is(#help.find("w:step()"), 1, "help finds a name with its call")
+tap.is(help.address_of(print), nil, "functions of Lua have no help address")
+tap.is(#help.find("w:step()"), 1, "help finds a name written as a call")
 for name, address in pairs{ ["c.slip"] = "contact.slip", ["c:stick"] = "contact.stick", ["t.volume"] = "map.volume" } do
-  tap.is(help.find(name)[1].address, address, "help finds " .. name .. ", named as in the texts")
+  tap.is(help.find(name)[1].address, address, "help finds " .. name .. ", a variable of the help texts")
 end
-tap.ok(#help.find("alpha") >= 2, "help finds all of a name")
+tap.ok(#help.find("alpha") >= 2, "help finds all entries of a name")
 tap.holds(help.text("strok"), 'did you mean "stroke"', "help proposes the nearest name")
 tap.holds(help.text(nil), "nil", "help of nil")
-tap.holds(tostring(help), "archard simulates", "help alone, at the prompt, is the overview")
+tap.holds(tostring(help), "archard simulates", "print(help) shows the overview")

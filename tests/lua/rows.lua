@@ -1,7 +1,8 @@
 -- Tests every row of every list of settings: each setting is changed from its default in all objects that
 -- have it, and read back from the object, a copy, a run file, a session and export.json. A new row is tested
 -- without a change of this file, unless the row depends on another row.
--- Ordinary collector settings are used (see tests/run): continuous garbage collection would make this test too slow.
+-- Ordinary collector settings: even under sanitizers this file is run without continuous garbage collection,
+-- which would make it too slow.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok = tap.ok
@@ -104,7 +105,7 @@ local function reads_back_model(given, places, value, what)
   for _, place in ipairs(places) do same(at(m, place), value, what .. ", the model as " .. place) end
   local again = model(settings.nest(settings.flatten("rows", { is = m })).is)
   for _, place in ipairs(places) do
-    local found = place == "mesh.fineness" -- fineness is stored as the size that follows from it
+    local found = place == "mesh.fineness" -- `fineness` is stored as the element size that it determines
     if not found then same(at(again, place), value, what .. ", a model like it as " .. place) end
   end
   local in_run = {}
@@ -128,7 +129,7 @@ for _, row in ipairs(known.material) do
   same(hertz{ cylinder = m }.cylinder[name], value, "hertz.cylinder." .. name)
   local function a_pair(given) return merged({ mesh = coarse }, given) end
   reads_back_model(a_pair{ cylinder = m }, { "cylinder." .. name }, value, "of the usual pair")
-  local is_text = type(value) == "string" -- beside E, a field `name` would name the body, not the material
+  local is_text = type(value) == "string" -- beside E, a field `name` is the body's name
   local inner = is_text and "material." .. name or name
   local function own_of(fields) return is_text and merged(fields, { material = m }) or merged(fields, { E = 1e5, [name] = value }) end
   reads_back_model(a_pair{ lower = body.block(own_of{}) }, { "lower." .. inner, "plate." .. name }, value, "of a body")
@@ -180,7 +181,7 @@ local rows_of_bodies, tried_rows = {}, {}
 for _, row in ipairs(known.body) do
   if not row.path:find "^layer%d" and row.path ~= "kind" then rows_of_bodies[row.path] = row end
 end
-for kind in pairs(body) do ok(kinds[kind], "body." .. kind .. " is tried here") end
+for kind in pairs(body) do ok(kinds[kind], "body." .. kind .. " is among the tested bodies") end
 for kind, fields in pairs(kinds) do
   local role = kind == "block" and "lower" or "upper"
   local spatial = kind == "ball" or kind == "map" -- half-spaces have no mesh
@@ -193,14 +194,16 @@ for kind, fields in pairs(kinds) do
         ("body.%s.%s"):format(kind, field))
     elseif field == "y" then
       local m = model(settings.nest(settings.flatten("rows", { is = model(merged(with, { upper = body[kind](fields) })) })).is)
-      ok(#m.upper.y == #fields.y and m.upper.y[3] == fields.y[3] and m.upper.x[1] == fields.x[1], "points of a " .. kind)
-      ok(kind ~= "map" or #m.upper.z == 7 and m.upper.z[7] == 0.75, "of a map along z too")
+      ok(#m.upper.y == #fields.y and m.upper.y[3] == fields.y[3] and m.upper.x[1] == fields.x[1],
+        "points of a body.map or body.profile: " .. kind)
+      ok(kind ~= "map" or #m.upper.z == 7 and m.upper.z[7] == 0.75, "points of a map along z")
     end
   end
 end
-reads_back_model({ mesh = coarse, upper = body.cylinder{ name = "pin" } }, { "upper.name" }, "pin", "a body's name")
+reads_back_model({ mesh = coarse, upper = body.cylinder{ name = "pin" } }, { "upper.name" }, "pin",
+  "name of a body")
 tried_rows.name = true
-for name in pairs(rows_of_bodies) do ok(tried_rows[name], "body." .. name .. " is tried with some kind") end
+for name in pairs(rows_of_bodies) do ok(tried_rows[name], "body." .. name .. " is tested with some kind") end
 
 -- --- models --------------------------------------------------------------------------------------
 

@@ -1,5 +1,7 @@
 -- Tests fits, designs, sensitivities and samples of runs in three dimensions.
--- Ordinary collector settings are used (see tests/run): continuous garbage collection would only slow this code down.
+-- Ordinary collector settings: even under sanitizers this file is run without continuous garbage collection,
+-- which would only slow it down.
+
 -- Long
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -29,14 +31,14 @@ local file = os.tmpname()
 os.remove(file)
 local f = fit{ base = test, unknown = unknown, data = data, file = file, workers = 2 }
 near(f.value.k, 1.3e-8, 5e-3, "k from sections along and across, a volume and a width")
-near(f.value.alpha, 0.4, 5e-3, "alpha")
-ok(math.abs(f.value.k - 1.3e-8) < f.error.k, "k within its standard error")
-near(f.data[1].place.shift.value, 0.003, 1e-2, "the shift along")
+near(f.value.alpha, 0.4, 5e-3, "alpha from sections along and across, a volume and a width")
+ok(math.abs(f.value.k - 1.3e-8) < f.error.k, "the error of k is below its standard error")
+near(f.data[1].place.shift.value, 0.003, 1e-2, "shift of a section along the motion")
 near(f.data[2].place.shift.value, -0.004, 1e-2, "shift of a section across the motion")
 holds(tostring(f), { "along the motion at z = 0 mm", "across the motion at x = 0.05 mm" }, "print(f) names the sections")
 local again = fit{ base = test, unknown = unknown, data = data, file = file, workers = 2 }
-is(again.value.k, f.value.k, "sections come back from the file")
-is(again.runs, 0, "a repeated fit runs nothing")
+is(again.value.k, f.value.k, "a fit with sections is read from its file")
+is(again.runs, 0, "a repeated fit needs no run")
 os.remove(file)
 for section, text in pairs{ [{}] = "section", [{ x = 0, z = 0 }] = "section", [{ y = 0 }] = "section" } do
   local one = trace("plate", { x = 0 }, 0)
@@ -52,8 +54,9 @@ local design = fit.design{ base = test, unknown = unknown, measure = {
 ok(design, "a design with a section")
 local s = worn:sensitivity{ of = { "volume_plate" }, to = { "k", "alpha" } }
 holds(tostring(s), { "volume_plate", "k", "alpha" }, "sensitivities")
-near(s.volume_plate.k.elasticity[1], 1, 1e-3, "the volume grows as k does")
+near(s.volume_plate.k.elasticity[1], 1, 1e-3, "the volume is proportional to k")
 local cases = study{ base = test, sample = { k = uniform{ 0.8e-8, 1.2e-8 } }, n = 3 }
 cases:run{ progress = false, workers = 2, file = file }
-for _, case in ipairs(cases:cases()) do near(case.volume.total, case.k * 1000, 1e-9, "a sample's volume is k P d") end
+for _, case in ipairs(cases:cases()) do near(case.volume.total, case.k * 1000, 1e-9,
+  "the volume of each sample is k P d") end
 os.remove(file)

@@ -10,23 +10,24 @@ local m = ball_on(nil, { size = 0.0044 })
 
 -- Tests a contact that is pressed but not moved: it sticks everywhere and dissipates no energy.
 local c = contact{ model = m, load = 10, friction = 0.5 }
-is(c.stick, 1, "all of it sticks")
-is(c.energy, 0, "nothing is dissipated")
-near(c.p_center, contact{ model = m, load = 10 }.p_center, 1e-3, "like bodies press as without friction")
+is(c.stick, 1, "the whole contact sticks")
+is(c.energy, 0, "pressing dissipates no energy")
+near(c.p_center, contact{ model = m, load = 10 }.p_center, 1e-3,
+  "similar bodies are pressed as without friction")
 near(contact{ model = ball_on(), load = 10, friction = 0.5 }:shear().x[2] - contact{ model = ball_on(), load = 10, friction = 0.5 }:shear().x[1],
-  0.0880442 / 40, 1e-4, "40 cells over the half width where nobody chose")
+  0.0880442 / 40, 1e-4, "the default grid has 40 cells in the half width")
 
 -- Tests a moved contact against Mindlin's closed form.
 local d = c:move{ tangential = 3, increments = 2 }
-near(d.tangential, 3, 1e-4, "the force")
-near(d.x, 2.1504e-4, 1e-3, "the displacement under it")
-near(d.stick, 0.4 ^ (2 / 3), 0.03, "the share that sticks")
-ok(d.tangential_z == 0 or math.abs(d.tangential_z) < 1e-6, "nothing across")
-is(c.tangential, 0, "the contact it starts from stays")
+near(d.tangential, 3, 1e-4, "the given tangential force")
+near(d.x, 2.1504e-4, 1e-3, "the displacement under the given force")
+near(d.stick, 0.4 ^ (2 / 3), 0.03, "the fraction of the area that sticks")
+ok(d.tangential_z == 0 or math.abs(d.tangential_z) < 1e-6, "no force across the motion")
+is(c.tangential, 0, "the original contact is not changed")
 local e = d:move{ tangential = -3, increments = 2 }
-near(2 * (e.energy - d.energy), 1.2829e-4, 5e-3, "the energy of a loop")
-near(e:move{ x = d.x, increments = 2 }.tangential, 3, 2e-3, "moved back as far, the force is the same")
-is(d:move{}.x, d.x, "an empty motion changes nothing")
+near(2 * (e.energy - d.energy), 1.2829e-4, 5e-3, "energy of a loop by Mindlin")
+near(e:move{ x = d.x, increments = 2 }.tangential, 3, 2e-3, "the same displacement needs the same force")
+is(d:move{}.x, d.x, "a call without fields changes nothing")
 holds(tostring(d), { "friction  0.5", "tangential force 3 N along x, 0 N along z", "of the area sticks" }, "print(contact)")
 
 -- Tests loops and stick zones on the automatic grid against Mindlin's closed form for nu = 0.
@@ -49,9 +50,11 @@ end
 for _, axis in ipairs{ "x", "z" } do
   fails(function() c:move{ [axis] = 1e7 } end, "field '" .. axis .. "': expected at most 1e+06 mm, got 1e+07", "a motion of 10 km along " .. axis)
 end
-fails(function() c:move{ load = 1e6 } end, "cells in the half width, expected at most 512", "a load whose contact needs too many cells")
+fails(function() c:move{ load = 1e6 } end, "cells in the half width, expected at most 512",
+  "a load whose contact needs too many cells")
 
--- Tests the warning of several solutions: beta is 0.375 for a nearly rigid ball on a body of nu = 0.2.
+-- Tests the warning that the solution may not be unique. A nearly rigid ball on a body with nu = 0.2 has a
+-- Dundurs' parameter beta of 0.375.
 do
   local warnings = require "archard.warnings"
   local uneven = model{ geometry = "3-D", upper = body.ball{ radius = 10, material = { E = 1e7, nu = 0.2 } },
@@ -59,60 +62,68 @@ do
   for friction, warned in pairs{ [0.6] = false, [1.2] = true } do
     warnings.keep()
     contact{ model = uneven, load = 10, friction = friction, increments = 1 }
-    ok((warnings.take() or ""):find("Dundurs' beta 0.3", 1, true) ~= nil == warned, "several solutions at friction " .. friction)
+    ok((warnings.take() or ""):find("Dundurs' beta 0.3", 1, true) ~= nil == warned,
+      "warning about uniqueness at friction " .. friction)
   end
 end
 
 -- Tests motions along z, changes of direction and gross slip.
 local z = c:move{ tangential_z = 3, increments = 2 }
-near(z.z, d.x, 1e-9, "along z as along x in a round contact")
-near(z.energy, d.energy, 1e-9, "with the same energy")
+near(z.z, d.x, 1e-9, "the displacement along z equals the displacement along x")
+near(z.energy, d.energy, 1e-9, "the energy of a motion along z equals that along x")
 local less, less_z = d:move{ tangential = 2, load = 7 }, z:move{ tangential_z = 2, load = 7 }
-near(less_z.z, less.x, 1e-9, "along z as along x under a changed load")
-near(less_z.energy, less.energy, 1e-9, "with the same energy")
+near(less_z.z, less.x, 1e-9, "displacements along z and x are equal under a changed load")
+near(less_z.energy, less.energy, 1e-9, "energies along z and x are equal under a changed load")
 local corner = d:move{ tangential = 3, tangential_z = 2, increments = 2 }
-near(corner.tangential_z, 2, 1e-4, "both forces")
-ok(corner.energy > d.energy and corner.z > 1e-4, "a changed direction moves and dissipates")
+near(corner.tangential_z, 2, 1e-4, "the force along z of a combined force")
+ok(corner.energy > d.energy and corner.z > 1e-4, "a changed direction of the force displaces and dissipates")
 local slid = c:move{ x = 2e-3 }
-near(slid.tangential, 5, 1e-4, "gross slip")
-is(slid.stick, 0, "nothing sticks")
-ok(slid:move{ x = 1.9e-3 }.stick > 0.3, "back, it sticks again")
+near(slid.tangential, 5, 1e-4, "the force in gross slip is friction times load")
+is(slid.stick, 0, "no stick zone in gross slip")
+ok(slid:move{ x = 1.9e-3 }.stick > 0.3, "the contact sticks after a reversal")
 
--- Tests a force close to full slip: slip across the force, which Mindlin neglects, adds to the motion (help).
-near(contact{ model = ball_on(), load = 10, friction = 0.5 }:move{ tangential = 5 * (1 - 1e-4) }.x, 1.19 * 4.706e-4, 0.01, "0.9999 of full slip")
+-- Tests a force close to full slip: slip across the force, which Mindlin neglects, increases the
+-- displacement.
+near(contact{ model = ball_on(), load = 10, friction = 0.5 }:move{ tangential = 5 * (1 - 1e-4) }.x,
+  1.19 * 4.706e-4, 0.01,
+  "displacement at 0.9999 of the sliding force")
 
--- Tests the pressure on the lower body: after a motion by 0.2 mm along x the ball presses at -0.2 mm.
+-- Tests the pressure on the lower body: when the lower body has moved by 0.2 mm along x, the ball presses at
+-- its x = -0.2 mm.
 near(c:move{ x = 0.2 }:pressure "lower":at(-0.2, 0), c.p_center, 0.01, "the pressure on the lower body after a motion")
 
 -- Tests changes of the normal load under a tangential force.
 local more = d:move{ load = 15, increments = 2 }
-near(more.approach, contact{ model = m, load = 15, friction = 0.5 }.approach, 1e-5, "a larger load widens the window")
-near(more.tangential_z, 0, 1e-6, "nothing across")
-near(d:move{ tangential = 3, load = 8 }.tangential, 3, 1e-4, "a smaller load under the force")
+near(more.approach, contact{ model = m, load = 15, friction = 0.5 }.approach, 1e-5,
+  "a load that needs a larger window")
+near(more.tangential_z, 0, 1e-6, "a change of load causes no force across")
+near(d:move{ tangential = 3, load = 8 }.tangential, 3, 1e-4, "a smaller load under the same force")
 
--- Tests the exchange of bodies: partial slip does not displace the shape of the ball as the lower body;
--- a full slip displaces it by the motion less the elastic displacement.
+-- Tests the exchange of bodies. Partial slip does not move the shape of a lower ball; gross slip moves the
+-- shape by the motion minus the elastic displacement.
 local below = contact{ load = 10, friction = 0.5,
   model = model{ geometry = "3-D", upper = body.block{}, lower = body.ball{ radius = 10 }, mesh = { size = 0.0044 } } }
 local other = below:move{ tangential = 3, increments = 2 }:move{ tangential = 2, load = 7 }
-is(other.x, less.x, "the ball as the lower body: the same motion")
-is(other.energy, less.energy, "and the same energy")
+is(other.x, less.x, "displacement with the ball as the lower body")
+is(other.energy, less.energy, "energy with the ball as the lower body")
 local far = below:move{ x = 0.05 }
 near(far.tangential, 5, 1e-4, "gross slip of the lower ball")
 local section, at = far:pressure{ z = 0 }, 1
 for i = 1, #section.x do at = section.p[i] > section.p[at] and i or at end
-ok(math.abs(section.x[at] - 0.05) < 0.0045, "the contact goes with the lower ball")
-near(far.energy, c:move{ x = 0.05 }.energy, 1e-3, "with the energy of the upper ball")
+ok(math.abs(section.x[at] - 0.05) < 0.0045, "the contact moves with the lower ball")
+near(far.energy, c:move{ x = 0.05 }.energy, 1e-3, "energy in gross slip of the lower ball")
 
--- Tests legs in one direction: the window grows by the motion alone.
+-- Tests six successive motions in one direction: the window is enlarged by the total motion only.
 local legs = below
 for i = 1, 6 do legs = legs:move{ x = 0.02 * i } end
-near(legs.energy, below:move{ x = 0.12 }.energy, 2e-3, "six legs dissipate as much as one")
-ok(#legs:pressure().x < 150 and #legs:pressure().z < 80, "in a window of " .. #legs:pressure().x .. " x " .. #legs:pressure().z .. " cells")
-fails(function() below:move{ z = 0.05 } end, "field 'z': the lower body is not flat", "slip of a lower ball along z")
-near(below:move{ z = 2e-4 }.energy, c:move{ z = 2e-4 }.energy, 1e-9, "partial slip along z is allowed")
+near(legs.energy, below:move{ x = 0.12 }.energy, 2e-3, "six motions dissipate as much as one")
+ok(#legs:pressure().x < 150 and #legs:pressure().z < 80,
+  "size of the window after six motions: " .. #legs:pressure().x .. " x " .. #legs:pressure().z .. " cells")
+fails(function() below:move{ z = 0.05 } end, "field 'z': the lower body is not flat",
+  "gross slip of a lower ball along z")
+near(below:move{ z = 2e-4 }.energy, c:move{ z = 2e-4 }.energy, 1e-9, "partial slip of a lower ball along z")
 
--- Tests the end of a map that is drawn from under the ball, flat or wavy.
+-- Tests that a motion is refused if the end of a flat or wavy map would reach the contact.
 local along = {}
 for i = 1, 201 do along[i] = -0.4 + 0.004 * (i - 1) end
 for _, height in ipairs{ 0, 2e-4 } do
@@ -120,37 +131,41 @@ for _, height in ipairs{ 0, 2e-4 } do
   local pressed = contact{ load = 10, friction = 0.5, model = ball_on(body.map{ y = rough }, { size = 0.006 }) }
   ok(pressed:move{ x = 0.1 }.energy > 0.49, "waves of " .. height .. " mm: a motion within the map")
   for _, x in ipairs{ 0.25, 0.5, 1.5 } do
-    if height > 0 or x > 0.25 then -- 0.25 mm suffices for the narrower contact on the flat map
+    if height > 0 or x > 0.25 then -- allowed on a flat map, whose contact is narrower
       fails(function() pressed:move{ x = x } end, "reaches the end of the part of a map", "a motion of " .. x .. " mm")
     end
   end
 end
 
--- Tests slender ellipses without Poisson's ratio, where the motion is friction times the approach less that under
--- the load that the stick zone carries, along both axes.
+-- Tests slender ellipses with nu = 0 along both axes: the displacement is friction times the difference of
+-- two approaches, under the whole load and under the load that the stick zone carries.
 for _, radius in ipairs{ 300, 1000, 5000 } do
   local function pressed(load, friction, across)
     local slender = body.ball{ radius = across and radius or 10, radius_z = across and 10 or radius, nu = 0 }
     return contact{ load = load, friction = friction, model = { geometry = "3-D", upper = slender, lower = body.block{ nu = 0 } } }
   end
   local moved = pressed(100, 0.5):move{ tangential = 30, increments = 2 }
-  near(moved.x, 0.5 * (pressed(100).approach - pressed(40).approach), 3e-4, "radii 10 and " .. radius .. ": motion")
-  near(pressed(100, 0.5, true):move{ tangential_z = 30, increments = 2 }.z, moved.x, 1e-9, "and with the radii exchanged")
+  near(moved.x, 0.5 * (pressed(100).approach - pressed(40).approach), 3e-4,
+    "radii 10 and " .. radius .. ": displacement")
+  near(pressed(100, 0.5, true):move{ tangential_z = 30, increments = 2 }.z, moved.x, 1e-9,
+    "displacement with exchanged radii")
 end
 
 -- Tests maps and sections of pressure, shear and slip.
 local q, s = d:shear{ z = 0 }, d:slip()
 local p = d:pressure{ z = 0 }
-for i = 1, #q.x do if math.abs(q.q[i]) > 0.5 * p.p[i] * (1 + 1e-12) then ok(false, "|q| is friction times p at most") end end
-near(d:shear():at(0, 0), d:shear("x"):at(0, 0), 1e-6, "the middle is sheared along x")
-ok(math.abs(d:shear("z"):at(0, 0)) < 1e-3, "not across")
-ok(s:at(0, 0) < 1e-9 and s:at(0.085, 0) > 1e-5, "the middle sticks, the rim slips")
-is(s.unit, "mm", "slip is a length")
+for i = 1, #q.x do if math.abs(q.q[i]) > 0.5 * p.p[i] * (1 + 1e-12) then ok(false,
+  "the shear is at most friction times the pressure") end end
+near(d:shear():at(0, 0), d:shear("x"):at(0, 0), 1e-6, "the default component of the shear is along x")
+ok(math.abs(d:shear("z"):at(0, 0)) < 1e-3, "no shear across the motion at the centre")
+ok(s:at(0, 0) < 1e-9 and s:at(0.085, 0) > 1e-5, "the centre sticks and the edge slips")
+is(s.unit, "mm", "the unit of slip is mm")
 
 -- Tests that bodies of different materials slip while they are pressed together.
 local soft = contact{ model = ball_on(body.block{ material = { E = 3600, nu = 0.4 } }, { size = 0.0125 }), load = 10, friction = 0.1, increments = 8 }
-ok(soft.stick > 0.3 and soft.stick < 0.6, "the rim slips while unlike bodies are pressed together")
-is(contact{ model = soft.model, load = 10, friction = 0.1, press = "frictionless" }.energy, 0, "frictionless pressing dissipates nothing")
+ok(soft.stick > 0.3 and soft.stick < 0.6, "the edge slips while bodies of different materials are pressed")
+is(contact{ model = soft.model, load = 10, friction = 0.1, press = "frictionless" }.energy, 0,
+  "frictionless pressing dissipates no energy")
 
 -- Tests plots.
 local function picture(draw)
@@ -165,7 +180,8 @@ local function picture(draw)
 end
 holds(picture(function(file) plot.shear(d, { file = file }) end), "shear / MPa", "plot.shear")
 holds(picture(function(file) plot.slip(d, { axis = "x", file = file }) end), "slip along x / µm", "plot.slip")
-holds(picture(function(file) plot.slip(d, { file = file }) end), "\nNaN NaN", "nothing is drawn where the bodies do not touch")
+holds(picture(function(file) plot.slip(d, { file = file }) end), "\nNaN NaN",
+  "plot.slip draws nothing outside the contact")
 do
   local w = wear{ model = { geometry = "3-D", upper = body.ball{ radius = 10 }, lower = body.block{} }, load = 10, stroke = 0.02, k = 1e-6, cycles = 1e4 }
   w:run{ cycles = 100, progress = false }
@@ -176,19 +192,24 @@ do
     end):match "set xrange %[%S+:(%S+)%]"))
   end
   ok(right_of{} < 0.9 * w:map("block").x[#w:map("block").x], "a map is drawn around the scar, with a margin")
-  near(right_of{ xrange = { -0.01, 0.02 } }, 0.02, 1e-6, "or where the user looks")
+  near(right_of{ xrange = { -0.01, 0.02 } }, 0.02, 1e-6, "plot.map with a given x range")
 end
 
 -- Tests that invalid motions are refused.
-local err = fails(function() c:move{ tangential = 5 } end, { "field 'tangential'", "less than", "5 N" }, "more than mu P")
-is(err.where, "contact:move", "the function in the error")
-fails(function() c:move{ tangential = 4, tangential_z = 4 } end, "less than", "both together")
-fails(function() c:move{ z = 0, tangential_z = 1 } end, "fields 'z' and 'tangential_z'", "both at once")
-fails(function() c:shear("y") end, '"x", "z"', "an axis there is not")
+local err = fails(function() c:move{ tangential = 5 } end, { "field 'tangential'", "less than", "5 N" },
+  "a tangential force equal to the friction limit")
+is(err.where, "contact:move", "the error names the function")
+fails(function() c:move{ tangential = 4, tangential_z = 4 } end, "less than",
+  "a resultant force above the friction limit")
+fails(function() c:move{ z = 0, tangential_z = 1 } end, "fields 'z' and 'tangential_z'",
+  "position and force along z together")
+fails(function() c:shear("y") end, '"x", "z"', "shear along an unknown axis")
 fails(function() contact{ model = m, load = 10 }:shear() end, "expected a contact with friction", "no shear without friction")
-fails(function() contact{ model = m, load = 10 }:move{ z = 1e-4 } end, "field 'z'", "no motion across without friction")
-fails(function() contact{ friction = 0.5 }:move{ tangential_z = 1 } end, "field 'tangential_z'", "tangential_z in two dimensions")
+fails(function() contact{ model = m, load = 10 }:move{ z = 1e-4 } end, "field 'z'",
+  "a motion along z without friction")
+fails(function() contact{ friction = 0.5 }:move{ tangential_z = 1 } end, "field 'tangential_z'",
+  "tangential_z of a plane contact")
 fails(function()
   contact{ model = ball_on(body.block{ height = 1 }), load = 10, friction = 0.1 }
-end, { "field 'friction'", "rigid base" }, "no shear of layers")
-fails(function() c:stress{ y = 0.05 } end, "friction in 3-D", "no stresses below the surface with friction")
+end, { "field 'friction'", "rigid base" }, "friction on a rigid base")
+fails(function() c:stress{ y = 0.05 } end, "friction in 3-D", "stresses below the surface with friction")

@@ -17,49 +17,51 @@ local M = 200e3 * 0.7 / (1.3 * 0.4)
 local K = M / 2
 local approach = math.sqrt(100 / (math.pi * 10 * K))
 local w = run()
-near(w.p_center, K * approach, 1e-3, "the pressure under the ball's centre")
-near(w.half_width, math.sqrt(2 * 10 * approach), 0.03, "the contact's radius")
-ok(tostring(m):find("springs 1 mm thick", 1, true), "print(model): " .. tostring(m))
+near(w.p_center, K * approach, 1e-3, "pressure at the centre of the ball")
+near(w.half_width, math.sqrt(2 * 10 * approach), 0.03, "radius of the contact")
+ok(tostring(m):find("springs 1 mm thick", 1, true), "print of a model with springs: " .. tostring(m))
 
 -- --- wear ------------------------------------------------------------------------------------------
 w:run()
-near(w.volume.cylinder, 0.3 * 1e-8 * 100 * 1000, 1e-9, "the ball's volume is alpha k L d")
-near(w.volume.plate, 0.7 * 1e-8 * 100 * 1000, 1e-9, "volume of the flat")
-near(w.depth_partition, 0.3, 1e-9, "local partition of the depths")
--- The limit of much wear is that of a rigid ball: both bodies together lose a cap of height h and volume V = pi
+near(w.volume.cylinder, 0.3 * 1e-8 * 100 * 1000, 1e-9, "the volume of the ball is alpha k L d")
+near(w.volume.plate, 0.7 * 1e-8 * 100 * 1000, 1e-9, "the volume of the flat is (1 - alpha) k L d")
+near(w.depth_partition, 0.3, 1e-9, "alpha is the local partition of the depths")
+-- After much wear the bodies behave like rigid bodies: together they lose a cap of height h and volume V = pi
 -- R h^2.
 local cap = math.sqrt(1e-8 * 100 * 1000 / (math.pi * 10))
 ok(w.depth.cylinder + w.depth.plate < cap and w.depth.cylinder + w.depth.plate > 0.8 * cap,
-  "depths below those of a rigid ball, which sinks in as a cap")
+  "the depths are below the depth of rigid bodies")
 local free = run{ model = { geometry = "springs", mesh = { size = 0.04, zone = { cylinder = 3, plate = 3 } } },
   k = 1e-7, distance = 10000 }
 free:run()
-near(free.depth.cylinder + free.depth.plate, math.sqrt(1e-7 * 100 * 10000 / (math.pi * 10)), 0.03, "limit of much wear")
+near(free.depth.cylinder + free.depth.plate, math.sqrt(1e-7 * 100 * 10000 / (math.pi * 10)), 0.03,
+  "after much wear the depth is the depth of rigid bodies")
 local staged = run{ scheme = "none", tolerance = "none", jump = "auto" }
 staged:run()
-near(staged.depth.plate, w.depth.plate, 0.02, "explicit updates in stages come to the same")
+near(staged.depth.plate, w.depth.plate, 0.02, "automatic explicit updates agree with implicit steps")
 local euler = run{ scheme = "none", tolerance = "none", jump = 2000 }
 euler:run()
-near(euler.depth.plate, w.depth.plate, 0.02, "depth by explicit steps")
+near(euler.depth.plate, w.depth.plate, 0.02, "explicit updates of fixed length agree with implicit steps")
 local ten = run{ k = function(s) return s.distance < 500 and 1e-8 or 3e-8 end }
 ten:run()
-near(ten.volume.total, 1e-6 * (500 + 3 * 500), 1e-6, "coefficients as functions of the state")
+near(ten.volume.total, 1e-6 * (500 + 3 * 500), 1e-6, "k as a function of the state")
 -- The pressure of a spring is K times its compression. The eigenvalue, and with it the stability limit of
 -- explicit updates, is therefore K k times the sliding distance of a cycle.
-near(run{ scheme = "none", tolerance = "none", jump = 10 }:stability().eigenvalue, K * 0.02 * 1e-8, 1e-9, "the eigenvalue of ripples")
+near(run{ scheme = "none", tolerance = "none", jump = 10 }:stability().eigenvalue, K * 0.02 * 1e-8, 1e-9,
+  "the largest eigenvalue")
 local loads = run{ scheme = "none", tolerance = "none", stroke = "none", jump = 100, cycles = 20000, distance = "none",
   loading = { t = { 0, 0.5, 1 }, x = { 0, 0.01, 0 }, load = { 50, 100, 50 } } }
 loads:run()
-near(loads.volume.total, 1e-8 * 75 * 400, 1e-9, "loads that change")
+near(loads.volume.total, 1e-8 * 75 * 400, 1e-9, "volume under a load that varies in a cycle")
 local places = run{ scheme = "none", tolerance = "none", jump = 5000, local_factor = function(body) return body == "plate" and 2 or 1 end }
 places:run()
-near(places.volume.plate, 2 * 0.7e-3, 1e-9, "local factors")
+near(places.volume.plate, 2 * 0.7e-3, 1e-9, "volume with a local factor")
 
 -- --- profiles, copies, files -----------------------------------------------------------------------
 local p = w:profile("plate")
-is(#p.x, 51, "a profile along x through the middle")
-near(p.h[26], w.depth.plate, 1e-12, "deepest in the middle")
-is(p.h[10], p.h[42], "the same on both sides, to the bit")
+is(#p.x, 51, "the profile along x has all points")
+near(p.h[26], w.depth.plate, 1e-12, "the largest depth is in the middle")
+is(p.h[10], p.h[42], "the depths are symmetric to the bit")
 local path = os.tmpname()
 os.remove(path)
 local half = run{ distance = 500 }
@@ -70,8 +72,8 @@ half:run{ distance = 1000 }
 again:run{ distance = 1000 }
 local a, b = half:profile("plate"), again:profile("plate")
 is(table.concat(a.h, " "), table.concat(b.h, " "), "a stored run continues with identical bits")
-is(again.p_center, half.p_center, "pressure of a restored run")
-is(half:clone().p_center, half.p_center, "pressure of a copy")
+is(again.p_center, half.p_center, "pressure of an opened run")
+is(half:clone().p_center, half.p_center, "pressure of a copied run")
 os.remove(path)
 
 -- --- studies, fits, plots --------------------------------------------------------------------------
@@ -83,7 +85,7 @@ for _, case in ipairs(s:cases()) do
   near(case.volume.total, 1e-8 * case.load * 200, 1e-9, case.label)
 end
 local case = s:cases()[4]
-is(case:profile("plate").h[30], case:wear():profile("plate").h[30], "a case shows the profile of its run")
+is(case:profile("plate").h[30], case:wear():profile("plate").h[30], "a case has the profile of its run")
 os.remove(path)
 local truth = run{ k = 1.4e-8, distance = 200 }
 truth:run()
@@ -91,26 +93,32 @@ local seen = truth:profile("plate")
 local f = fit{ base = base, unknown = { k = { start = 1e-8 }, alpha = { start = 0.5 } }, data = {
   { body = "plate", distance = 200, profile = { x = seen.x, h = seen.h }, error = 1e-6 },
   { of = "volume_cylinder", distance = 200, value = truth.volume.cylinder, relative = 0.01 } } }
-near(f.value.k, 1.4e-8, 1e-3, "a fit finds k again")
+near(f.value.k, 1.4e-8, 1e-3, "k of a fit")
 near(f.value.alpha, 0.3, 1e-3, "alpha of a fit")
 for _, draw in ipairs{ function(file) return plot.profile(w, "plate", { file = file }) end,
   function(file) return plot.history(w, "p_center", { file = file }) end } do
   local svg = os.tmpname() .. ".svg"
   draw(svg)
   local file = assert(io.open(svg))
-  ok(file:read("a"):find("<path", 1, true), "a picture")
+  ok(file:read("a"):find("<path", 1, true), "a picture is drawn")
   file:close()
   os.remove(svg)
 end
 
 -- --- unsupported options ---------------------------------------------------------------------------
-fails(function() run{ friction = 0.3 } end, "field 'friction': on springs expected 0", "friction")
-fails(function() run{ load = 1e6 }:step() end, "the contact reaches the edge of the springs", "a contact too wide")
-fails(function() contact{ model = m } end, "expected a model with meshes", "contact objects")
-fails(function() return m.mesh.plate end, "has no meshes", "meshes")
-fails(function() w:contact() end, "have no contact objects", "the contact of a run")
-fails(function() export.vtk(m, "x.vtk") end, "expected a model with meshes", "files of meshes")
-fails(function() hertz{ geometry = "springs" } end, "Hertz' formulas are not valid for springs", "Hertz' formulas")
-fails(function() model{ geometry = "springs", lower = body.block{ layers = { { thickness = 0.1, material = material{} } } } } end, "springs are only for a ball and a flat", "other bodies")
-fails(function() w:set{ mesh = { size = 0.1 } } end, "", "other sites")
+fails(function() run{ friction = 0.3 } end, "field 'friction': on springs expected 0",
+  "friction on springs is refused")
+fails(function() run{ load = 1e6 }:step() end, "the contact reaches the edge of the springs",
+  "a contact wider than the springs")
+fails(function() contact{ model = m } end, "expected a model with meshes", "contact{} of springs")
+fails(function() return m.mesh.plate end, "has no meshes", "a mesh of springs")
+fails(function() w:contact() end, "have no contact objects", "the contact of a run on springs")
+fails(function() export.vtk(m, "x.vtk") end, "expected a model with meshes", "export.vtk of springs")
+fails(function() hertz{ geometry = "springs" } end, "Hertz' formulas are not valid for springs",
+  "hertz{} of springs")
+fails(function() model{ geometry = "springs",
+  lower = body.block{ layers = { { thickness = 0.1, material = material{} } } } } end,
+    "springs are only for a ball and a flat",
+  "springs with a layered body")
+fails(function() w:set{ mesh = { size = 0.1 } } end, "", "w:set of another mesh on springs")
 

@@ -8,19 +8,20 @@ local ok, is, fails, holds = tap.ok, tap.is, tap.fails, tap.holds
 
 stroke = 0.2
 fails(function() return wear{ stroke = strok } end, { "strict.lua:10: ", "no global 'strok'; did you mean 'stroke'?" },
-  "a misspelt global is no silent nil")
-fails(function() return quite_another_thing end, "no global 'quite_another_thing'", "nothing near, no guess")
-fails(function() plott{} end, "did you mean 'plot'?", "a call of an unknown global")
+  "a misspelt global raises an error")
+fails(function() return quite_another_thing end, "no global 'quite_another_thing'",
+  "an unknown global without a similar name")
+fails(function() plott{} end, "did you mean 'plot'?", "a call of a misspelt global")
 is(rawget(_G, "strok"), nil, "rawget of an unknown global")
 nothing = nil
-is(nothing, nil, "a global that was assigned nil is nil")
+is(nothing, nil, "a global that was assigned nil can be read")
 stroke = nil
-is(stroke, nil, "a global set to nil")
+is(stroke, nil, "a global set to nil can be read")
 local function declare() inner = 3 end
 declare()
-is(inner, 3, "functions declare globals too")
+is(inner, 3, "a global assigned in a function can be read")
 is(_ or unpack or jit or setfenv, nil, "names by which Lua programs detect their version")
-is(load("return strok", "=own", "t", {})(), nil, "other environments are their owner's")
+is(load("return strok", "=own", "t", {})(), nil, "environments of the user are not checked")
 local count = 0
 for _ in pairs(_G) do count = count + 1 end
 ok(count > 30, "the globals can be listed")
@@ -83,18 +84,20 @@ for _, each in ipairs{
 end
 is(math.mod or table.getn or string.gfind, nil, "library names of other Lua versions")
 is(plot.style().width, nil, "an unset option of a style")
-is(s.file, nil, "a field that may be without a value is nil")
+is(s.file, nil, "a field without a value is nil")
 is(s:cases()[1].message, nil, "the message of a case that did not fail")
-is(w.history.distance[9], nil, "a list ends with nil")
+is(w.history.distance[9], nil, "an index beyond the end of a list is nil")
 is(#w.history.distance .. " " .. table.concat(w.history.distance, " "), "3 0.0 2.2 4.4", "a column of the history is a list")
 local kept = 0
 for _ in ipairs(w.history.distance) do kept = kept + 1 end
-is(kept, 3, "to ipairs too")
+is(kept, 3, "ipairs of a column of the history")
 
 -- --- as text -------------------------------------------------------------------------------------
 
-is(tostring(hertz{}.cylinder), "material: E 200000 MPa, nu 0.3, E_star 219780 MPa", "objects as ever")
-is(tostring(w.history.distance), "{ 0, 2.2, 4.4 }", "print shows lists of ours as the prompt does")
+is(tostring(hertz{}.cylinder), "material: E 200000 MPa, nu 0.3, E_star 219780 MPa", "print of a material")
+is(tostring(w.history.distance), "{ 0, 2.2, 4.4 }", "print of a list is shown as at the prompt")
 holds(tostring(w.depth), { "{ cylinder = ", "plate = " }, "print of a table with bodies")
-holds(tostring(w:profile("plate")), { "worn_x = { ", " items)" }, "long ones shortened")
-fails(function() return body.pin{} end, "body: no field 'pin': a pin is a body.punch{}, a body.ball{} or a body.cylinder{}", "a pin")
+holds(tostring(w:profile("plate")), { "worn_x = { ", " items)" }, "long lists are shortened")
+fails(function() return body.pin{} end,
+  "body: no field 'pin': a pin is a body.punch{}, a body.ball{} or a body.cylinder{}",
+  "body.pin suggests other bodies")

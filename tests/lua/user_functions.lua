@@ -26,17 +26,18 @@ local function try(name, fields, parts, good, stands)
   fields.model, fields.distance, fields.jump = m, 440, fields.jump or 100
   local w = wear(fields)
   stands = stands or 5
-  local err = fails(function() w:run() end, parts, name .. ": it is told where and why")
-  is(asked, 1, name .. ": asked once more, no further")
-  ok(not tostring(err):find("scripts/", 1, true), name .. ": nothing of our own text")
-  is(w.update, stands, name .. ": the run stands at its last whole step")
+  local err = fails(function() w:run() end, parts, name .. ": the error has the position and the reason")
+  is(asked, 1, name .. ": the function is called once more")
+  ok(not tostring(err):find("scripts/", 1, true), name ..
+    ": the message contains no position in a script of archard")
+  is(w.update, stands, name .. ": the run is at its last complete step")
   local before, pressure = w.distance, w.p_center
-  is(#w.history.distance, stands + 1, name .. ": and so does its history")
-  fails(function() w:step() end, parts, name .. ": again")
-  ok(w.distance == before and w.p_center == pressure, name .. ": and nothing has changed")
+  is(#w.history.distance, stands + 1, name .. ": the history ends at the last complete step")
+  fails(function() w:step() end, parts, name .. ": a second step fails in the same way")
+  ok(w.distance == before and w.p_center == pressure, name .. ": the second failure changes nothing")
   w:set(good)
   w:step()
-  is(w.update, stands + 1, name .. ": it goes on")
+  is(w.update, stands + 1, name .. ": the run continues with a new function")
 end
 
 try("k", { k = failing(1e-8) }, { "k(state at distance 110 mm, cycle 500) failed", "boom" }, { k = 1e-8 })
@@ -58,10 +59,10 @@ for _, name in ipairs{ "progress", "stop_when" } do
       asked = asked + 1
       error "boom"
     end }
-  end, { name .. " failed", "boom" }, name .. ": it is told")
-  is(asked .. " " .. w.update, "1 5", name .. ": at once, at a whole step")
+  end, { name .. " failed", "boom" }, name .. ": the error is reported")
+  is(asked .. " " .. w.update, "1 5", name .. ": the run ends at once after a complete step")
   w:run{ progress = false }
-  is(w.distance, 440.0, name .. ": the run goes on to its end")
+  is(w.distance, 440.0, name .. ": the run continues to its end")
 end
 
 asked = 0
@@ -70,8 +71,9 @@ local w = wear{ model = m, distance = 440, jump = 100, local_factor = function(_
   asked = asked + 1
   error "boom"
 end }
-holds(select(2, pcall(w.run, w)), { "local_factor(\"cylinder\", x = ", "boom" }, "an error in local_factor contains the point")
-is(asked .. " " .. w.update, "1 5", "local_factor: at once, at a whole step")
+holds(select(2, pcall(w.run, w)), { "local_factor(\"cylinder\", x = ", "boom" },
+  "the message of local_factor contains the point")
+is(asked .. " " .. w.update, "1 5", "local_factor: the run ends at once after a complete step")
 
 -- Tests that the function may fail at any call, even at a call for an estimate only.
 for nth = 2, 12 do
@@ -81,11 +83,13 @@ for nth = 2, 12 do
     if asked == nth then error "boom" end
     return 0.5
   end }
-  holds(select(2, pcall(w.run, w, { progress = false })), { "alpha(state at", "boom" }, "call " .. nth .. " that fails is told")
-  ok(asked <= nth + 3 and w.update <= nth, ("call %d: at once, at update %d after %d calls"):format(nth, w.update, asked))
+  holds(select(2, pcall(w.run, w, { progress = false })), { "alpha(state at", "boom" },
+    "the failure of call " .. nth .. " is reported")
+  ok(asked <= nth + 3 and w.update <= nth,
+    ("failure of call %d: the run ends at update %d after %d calls"):format(nth, w.update, asked))
 end
 
 fails(function() wear{ model = m, loading = { x = function(t) error("boom " .. t) end, load = 100, cycles = 10 } } end,
-  { "loading.x(0) failed", "boom 0" }, "a loading is called when it is defined")
+  { "loading.x(0) failed", "boom 0" }, "a loading is called when the run is defined")
 fails(function() contact{ model = m, worn = { plate = function(x) if x > 0 then error "boom" end return 0 end } } end,
-  { "worn.plate(", "failed", "boom" }, "a worn shape likewise")
+  { "worn.plate(", "failed", "boom" }, "an error in a worn shape function")

@@ -1,7 +1,8 @@
 -- Tests wrong calls of every public function, made from the help entries. Each wrong value gives an error
 -- with the function, the argument, the expected and the given value, and with the position of the user's
 -- call.
--- Ordinary collector settings are used (see tests/run): this test only checks error messages.
+-- Ordinary collector settings: even under sanitizers this file is run without continuous garbage collection,
+-- because it only checks error messages.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local help, names = require "archard.help", require "archard.names"
@@ -46,12 +47,12 @@ end
 local function lack(err, address, field)
   if type(err) ~= "table" or not err.message then return "an error object" end
   local text = tostring(err)
-  if text:find "^scripts/" or text:find "[^%w]scripts/" then return "a place in the user's text" end
+  if text:find "^scripts/" or text:find "[^%w]scripts/" then return "a position in the user's script" end
   if not err.where:find(address:match("[^.]+$"), 1, true) then return "the function's name" end
   if field and not has_one(err.message, names_of(field)) then return "the field's name" end
-  if err.message:find "expected" and not has_one(err.message, { "got", "holds" }) then return "what came" end
-  if err.message:find "%-nan" then return "a NaN without a sign" end
-  return not has_one(err.message, reasons) and "what was expected" or nil
+  if err.message:find "expected" and not has_one(err.message, { "got", "holds" }) then return "the value" end
+  if err.message:find "%-nan" then return "NaN without a sign" end
+  return not has_one(err.message, reasons) and "the expected value" or nil
 end
 
 local refused, lacking = 0, {} -- by function
@@ -114,5 +115,5 @@ table.sort(addresses)
 for _, address in ipairs(addresses) do
   if not tap.ok(#lacking[address] == 0, address) then tap.note(table.concat(lacking[address], "\n")) end
 end
-tap.ok(refused > 6000, ("%d wrong calls were refused, each in the right words"):format(refused))
+tap.ok(refused > 6000, ("%d wrong calls are refused with complete messages"):format(refused))
 os.execute("rm -rf " .. folder)

@@ -1,12 +1,13 @@
 /* Simulates exhausted memory and failing system calls in a program that loads this library
- * (LD_PRELOAD). The program sends commands by allocations of special sizes, which fail; it never
- * needs such sizes itself.
- * 2^30 + 64 n bytes: the allocations after the next n fail, several in a row, because Lua tries
- * again after a garbage collection. 2^30 + 2^29 + 64 n bytes: one system call after the next n
- * fails. 2^30 - 4096 bytes: ends both.
- * With n = 2^22 nothing fails, and the file ARCHARD_COUNT receives the number of possible
- * failures and for each call site the numbers of its first and last call. A call site is a chain
- * of callers. */
+ * (LD_PRELOAD). The program sends commands by allocations of special sizes, which it never needs
+ * otherwise and which fail:
+ *   2^30 + 64 n bytes: after n more allocations, several in a row fail, because Lua tries again
+ *     after a garbage collection.
+ *   2^30 + 2^29 + 64 n bytes: after n more system calls, one fails.
+ *   2^30 - 4096 bytes: ends both.
+ * With n = 2^22 nothing fails, and the file ARCHARD_COUNT receives the number of possible failures
+ * and for each call site the numbers of its first and last call. A call site is a chain of callers.
+ */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <dlfcn.h>
@@ -131,7 +132,7 @@ void *realloc(void *memory, size_t size) {
 }
 
 /* Wraps a system call: on failure it returns `refusal` without effect, as if a network disk were
- * gone. */
+ * disconnected. */
 #define CALL(type, name, refusal, parameters, ...)                                                 \
   type name parameters;                                                                            \
   type name parameters {                                                                           \

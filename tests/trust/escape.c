@@ -1,7 +1,7 @@
-/* A program that tries to leave the sandbox; the sandbox runs it instead of gnuplot. The
- * environment names its targets: OUTSIDE, a folder with a file "secret" and a folder "empty";
- * VICTIM, a process. It writes a line for each attempt to the file "tried": the attempt, and
- * "held" if it failed or "OUT" if it succeeded. */
+/* Tries to leave the sandbox, which runs this program instead of gnuplot. Environment variables
+ * name the targets: OUTSIDE, a folder with a file "secret" and a folder "empty", and VICTIM, a
+ * process. The file "tried" receives a line for each attempt: the attempt, and "held" if it
+ * failed or "OUT" if it succeeded. */
 #define _GNU_SOURCE
 #include <arpa/inet.h>
 #include <dirent.h>

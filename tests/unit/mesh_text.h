@@ -30,7 +30,7 @@ static char *mesh_file(const char *name, size_t *length) {
   return text;
 }
 
-/* Returns the start of the line after the one at `at`. */
+/* Returns the start of the line that follows the line at `at`. */
 static const char *next_line(const char *at) {
   const char *end = strchr(at, '\n');
   return end ? end + 1 : at + strlen(at);

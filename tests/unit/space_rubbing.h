@@ -1,4 +1,4 @@
-/* Common parts of the tests of half-space contacts with friction under a loading history. */
+/* Common parts of the tests of half-space contacts with friction under a history of loads. */
 #ifndef TESTS_SPACE_RUBBING_H
 #define TESTS_SPACE_RUBBING_H
 
@@ -11,14 +11,14 @@ UNUSED static arc_material elastic(double E, double nu) {
   return m;
 }
 
-/* The contact, its friction state and the present load increment of one loading history. */
+/* The contact, its friction state and the present load increment of a history of loads. */
 typedef struct rubbing {
   arc_halfspace *h;
   arc_halfspace_friction s;
   arc_halfspace_increment to;
   arc_halfspace_effort effort;
   arc_halfspace_options options;
-  double work; /* [N mm] work of the last part of the loading history */
+  double work; /* work since the last reset [N mm] */
 } rubbing;
 
 UNUSED static void slide(rubbing *r) {

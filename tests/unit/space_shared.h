@@ -77,7 +77,7 @@ UNUSED static void free_solved(solved *s) {
 typedef struct history_def {
   arc_halfspace_def space;
   double load, k, alpha, stroke, distance;
-  int increments; /* number of positions of the stroke; 0: one position */
+  int increments; /* number of increments of the stroke; 0: a single position */
   int steps;
   double first; /* length of the first step [mm]; 0: equal steps */
   double tolerance;
@@ -153,7 +153,7 @@ UNUSED static void run_step(history *w, const history_def *d, double length, int
   run_stage(w, d, w->known, gamma * length, 1, w->depth);
 }
 
-/* Returns the ratio of successive step lengths with which `steps` steps, beginning with `first`,
+/* Returns the ratio of successive step lengths for which `steps` steps, beginning with `first`,
  * add up to the distance. */
 UNUSED static double ratio_of(double first, double distance, int steps) {
   double low = 1, high = 4;

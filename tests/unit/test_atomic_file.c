@@ -100,7 +100,7 @@ static void test_links_are_followed(void **state) {
   assert_non_null(strstr(error.message, strerror(ELOOP)));
 }
 
-/* Tests to which file a name is resolved, for all functions that open, create or confine files. */
+/* Tests which file a name is resolved to, for all functions that open, create or confine files. */
 static void test_names_mean_files(void **state) {
   (void)state;
   char meant[PATH_MAX], expected[PATH_MAX], descriptor[40];
@@ -110,7 +110,7 @@ static void test_names_mean_files(void **state) {
   assert_int_equal(symlink("../meant/../to-new", "meant/chain"), 0);
   assert_int_equal(symlink("ring", "ring"), 0);
   static const struct meaning {
-    const char *name, *file; /* the path of the file, relative to this folder */
+    const char *name, *file; /* the path relative to this folder */
   } known[] = {{"meant/file", "/meant/file"}, {"./meant//../meant/file", "/meant/file"},
                {"meant/none", "/meant/none"}, {"to-new", "/meant/new"},
                {"meant/chain", "/meant/new"}, {"file:meant", "/file:meant"},

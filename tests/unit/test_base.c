@@ -59,7 +59,7 @@ static void test_show_text(void **state) {
                "2J",
                "\\xc2\\x9b2J");
   assert_shown("a\xe2\x80\xaez",
-               "a\\xe2\\x80\\xaez"); /* reverses the order of the following text */
+               "a\\xe2\\x80\\xaez"); /* U+202E, which reverses the order of the following text */
   assert_shown("\xe2\x81\xa6\xd8\x9c\xe2\x80", "\\xe2\\x81\\xa6\\xd8\\x9c\\xe2\\x80");
   assert_shown("\xe2\x80\x93\xd8\x9b", "\xe2\x80\x93\xd8\x9b");
   assert_shown("\x9b\xff\xc3", "\\x9b\\xff\\xc3");

@@ -6,8 +6,8 @@
 #include "core/base/dense.h"
 #include "core/contact/shape.h"
 
-/* The stiffness matrix of the whole body with nodes at `xy`. unknown[node] is the index of the
- * node's x displacement, or -1 if the node is fixed. */
+/* A whole body with the nodes `xy` and its factored stiffness matrix. unknown[node] is the index
+ * of the node's x displacement, or -1 if the node is fixed. */
 typedef struct whole {
   const elastic_body *body;
   int n, *unknown;
@@ -213,8 +213,8 @@ static void test_worn(void **state) {
   }
 }
 
-/* Tests when the compliance is recomputed: frozen geometry keeps the unworn compliance, and
- * moving geometry recomputes it only if the wear exceeds `refresh`. */
+/* Tests when the compliance is recomputed: never with frozen geometry, and with moving geometry
+ * only if the wear exceeds `refresh`. */
 static void test_refresh(void **state) {
   (void)state;
   arc_model *model = coarse_model();

@@ -122,8 +122,8 @@ static void test_balance(void **state) {
   arc_shape_destroy(&shape);
 }
 
-/* Tests the balance of loads with gaps of 300 mm. Their rounding errors of 6e-14 mm are
- * equivalent to 4e-9 N at a node, but the load is balanced nevertheless. */
+/* Tests the balance of loads with gaps of 300 mm: the load must be balanced although rounding
+ * errors of 6e-14 mm in these gaps are equivalent to 4e-9 N at a node. */
 static void test_balance_far_away(void **state) {
   (void)state;
   static const double x[] = {-1, 0, 1}, h[] = {303, 300, 304}, load[] = {100, 3, 0.02};
@@ -132,7 +132,7 @@ static void test_balance_far_away(void **state) {
   check_ok(arc_shape_create(steel, ARC_FROZEN, 0, &shape, why));
   check_ok(
       arc_shape_sample(shape, ARC_PLATE, (arc_depths){.x = x, .h = h, .count = 3}, depth, why));
-  depth[0] = 0; /* a depth removed from all nodes counts as an approach, not as a gap */
+  depth[0] = 0; /* a depth common to all nodes would be an approach, not a gap */
   check_ok(arc_shape_wear(shape, ARC_PLATE, depth, why));
   for (int k = 0; k < 3; k++) {
     arc_contact *contact = solve(shape, load[k], 0);

@@ -131,7 +131,7 @@ static void test_constant_strain(void **state) {
   }
 }
 
-/* Returns the ratio of the element's strain energy to the exact one for the bending of a rectangle,
+/* Returns the strain energy of the element divided by the exact energy for a bent rectangle,
  * u = (x y, -x^2 / 2 - nu / (1 - nu) y^2 / 2). CPE4I has the exact energy for every aspect ratio;
  * the error of CPE4 increases with the aspect ratio. */
 static double bending_energy_ratio(arc_element kind, double half_length) {

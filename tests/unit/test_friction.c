@@ -1,6 +1,6 @@
 /* Tests of increments with Coulomb friction: every increment of random histories of load and
- * motion satisfies the friction conditions, forces balance, and restored states give identical
- * bits. They use internal functions of contact. */
+ * motion satisfies the friction conditions, forces balance, and restored states continue with
+ * identical bits. The tests use internal functions of contact. */
 #include "check.h"
 
 #include "core/base/dense.h"
@@ -22,8 +22,8 @@ static double scar(double x) {
   return fmax(0, 4e-3 * (1 - x * x / 0.09));
 }
 
-/* Wears the plate to a smooth scar of up to `share` times 4e-3 mm, and the cylinder to half this
- * depth. */
+/* Wears the plate to a smooth scar of a random depth up to `share` times 4e-3 mm, and the
+ * cylinder to half of it. */
 static void wear_down(history *h, double share) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const arc_profile profile = arc_shape_profile(h->shape, (arc_body)b);

@@ -1,6 +1,6 @@
 /* Tests of the mortar coupling matrix B: rows of B sum to one and reproduce linear functions,
- * and forces and moments balance, at any position of the plate and on worn surfaces. They use
- * internal functions of contact. */
+ * and forces and moments balance, at any position of the plate and on worn surfaces. The tests
+ * use internal functions of contact. */
 #include "check.h"
 
 #include "core/base/dense.h"
@@ -128,7 +128,7 @@ static void test_random_positions(void **state) {
   arc_model_release(&model);
 }
 
-/* Tests plate positions with matching nodes, and positions half an element off. */
+/* Tests plate positions with nodes opposite to each other, and positions half an element off. */
 static void test_special_positions(void **state) {
   (void)state;
   random_start(22);

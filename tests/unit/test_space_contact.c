@@ -45,7 +45,7 @@ static void test_ellipse(void **state) {
   def.body[ARC_UPPER].radius_z = 20;
   def.nz = 71;
   solved s = solve_space(&def, 20, 1e-6);
-  check_share(s.extent.center, 816.56, 5e-5); /* value of another program on this grid */
+  check_share(s.extent.center, 816.56, 5e-5); /* value of an independent program on this grid */
   check_share(s.approach, 1.19867e-3, 1e-5);
   check_share(s.extent.half_width, 0.0683891, 0.015);
   check_share(s.extent.half_width_z, 0.171021, 0.01);

@@ -162,8 +162,9 @@ static void test_mindlin(void **state) {
   }
 }
 
-/* Tests that the same contact in a wider window, whose boxes are smaller than the window, has the
- * same motion, shear and slip, at cells outside the contact too. */
+/* Tests that the same contact in a wider window has the same displacement, shear and slip, also
+ * at cells outside the contact. In the wider window convolutions use boxes, parts of the window
+ * that contain all loaded cells. */
 static void test_wide_window(void **state) {
   (void)state;
   enum { few = 33, many = 101, beyond = (many - few) / 2 };

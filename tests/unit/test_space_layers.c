@@ -35,8 +35,8 @@ static double elastic_energy(const layers *j) {
   double sum = 0, from = 0, below = 0;
   for (int k = 0; k < j->count; from = j->load[k++]) {
     const double to = j->load[k], s = j->s[k], start = below - s * from;
-    /* adds the integral of s (start + s Y) d(approach)(Y), where approach' is proportional to
-     * 2/3 Y^(-1/3) */
+    /* adds the integral of s (start + s Y) over the approach under the load Y, whose derivative
+     * is proportional to Y^(-1/3) */
     sum += s * (start * (approach_at(j, to) - approach_at(j, from)) +
                 s * 0.4 * (to * approach_at(j, to) - from * approach_at(j, from)));
     below += s * (to - from);
@@ -52,8 +52,8 @@ static void add_layer(layers *j, double below, double load, double s) {
   j->s[j->count++] = s;
 }
 
-/* Returns the load [N] below which layers keep their shear when the layers above slip with the
- * shear s. */
+/* Returns the load [N] below which the layers keep their shear when the layers above slip with
+ * the shear s. */
 static double kept(const layers *j, double load, double force, double s) {
   const double before = j->count > 0 ? j->load[j->count - 1] : 0;
   double low = 0, high = fmin(before, load);
@@ -146,7 +146,7 @@ static void test_grown(void **state) {
     check_share(r.s.xi[0], motion_of(&j), 2e-4);
     end(&r);
     r = jaeger(41, 2.8 / 41, &j);
-    leg(&r, 10, 4, n); /* from zero load and force */
+    leg(&r, 10, 4, n); /* starts at zero load and zero force */
     go(&j, 10, 4);
     check_share(r.s.xi[0], motion_of(&j), 3e-4);
     assert_true(r.s.energy <= 1e-9);

@@ -302,7 +302,7 @@ static void test_workers(void **state) {
   (void)state;
   history_def d = reciprocating(10, 0.0110055, 43, 0.5, 0.0880442, 600);
   d.steps = 6;
-  d.increments = 7; /* 7 increments give positions between the cell centres */
+  d.increments = 7; /* 7 increments: positions are between the cell centres */
   d.space.track = 43 + 10;
   history one = run_history(&d);
   d.space.workers = 4;

@@ -337,7 +337,7 @@ static void test_surfaces(void **state) {
   arc_store *store = opened("surfaces", ARC_STORE_CREATE);
   must(arc_store_add(store, 1, "run", &error), &error);
   must(arc_store_save(store, 1, wear, given, 12, &error), &error);
-  must(arc_store_save(store, 1, wear, given, 12, &error), &error); /* replaces the old values */
+  must(arc_store_save(store, 1, wear, given, 12, &error), &error); /* replaces the stored values */
 
   arc_array *surfaces;
   must(arc_store_surfaces(store, 1, &surfaces, &count, &error), &error);

@@ -17,8 +17,8 @@ static void test_volumes(void **state) {
     }
 }
 
-/* Tests that the volume in the record equals the volume of the profile: depth times width,
- * summed over the nodes. */
+/* Tests that the volume in the record equals the volume of the profile, the sum of depth times
+ * tributary width over the nodes. */
 static void test_volume_of_profile(void **state) {
   (void)state;
   const arc_wear_def def = quick(0.22, 0.5);
@@ -32,8 +32,8 @@ static void test_volume_of_profile(void **state) {
   arc_wear_destroy(&wear);
 }
 
-/* Tests a model with a thickness: load and volume refer to the whole thickness, and the depths
- * equal those under the load per mm. */
+/* Tests a model with a thickness: load and volume are those of the whole thickness, and the
+ * depths equal the depths under the load per mm. */
 static void test_thickness(void **state) {
   (void)state;
   arc_model_def md = *arc_model_definition(coarse);
@@ -291,7 +291,7 @@ static void test_leaps(void **state) {
     if (k == 3) def.increments = 2;
     if (k == 4)
       def.increments = 0, def.jump = 1e6,
-      def.distance = 0; /* the jump has no effect on a loading that runs once */
+      def.distance = 0; /* the jump is not used for a loading that runs once */
     if (k == 0) def.increments = 8;
     arc_wear *wear = start(&def);
     warnings = 0;
@@ -433,7 +433,7 @@ static void test_zones_are_enough(void **state) {
     def.alpha = random_int(0, 4) / 4.0;
     def.increments = 10;
     def.jump = def.distance / (2 * def.stroke) / 20;
-    /* little wear, or a scar of up to three times the initial half width */
+    /* little wear, or wear to a scar of up to three times the initial half width */
     const double scar = hertz.half_width * random_in(0, trial % 2 ? 3 : 0.2);
     def.k = pow(scar, 3) / (1.5 * md.radius * def.load * def.distance);
     arc_wear_zones(&def, &md, md.mesh.zone);

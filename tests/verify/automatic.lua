@@ -1,6 +1,7 @@
 -- Tests the accuracy of default meshes for contacts under layers, with rounded edges, in holes, of profiles
 -- and of balls, and compares it with the accuracy for the pair of the reference paper. Tests the messages for
 -- meshes that are too small.
+
 -- Long
 local here = arg[0]:match("^(.*)/") or "."
 local figures = dofile(here .. "/lib/figures.lua")
@@ -21,7 +22,7 @@ for _, row in ipairs{ { 0.1, 1000, 0.3, 10, 33.257, 0.2102, 10, rigid }, { 1, 10
     lower = body.block{ width = 20, height = 10, E = base, layers = soft(t, E, nu) } } }
   local of = ("layer of %g mm, %g MPa, nu = %g: "):format(t, E, nu)
   within(c.p_center, p0, 0.01, of .. "centre pressure [MPa]")
-  if half then below(off_elements(c, half), 1, of .. "half width off [elements]") end
+  if half then below(off_elements(c, half), 1, of .. "error of the half width [elements]") end
 end
 
 -- Tests layers of thickness t, much thinner than the contact is wide, against the closed form for springs
@@ -30,21 +31,23 @@ for _, t in ipairs{ 1e-4, 1e-3 } do
   local C = t * 0.4 * 1.3 / (1000 * 0.7)
   local a = (1.5 * 10 * 10 * C) ^ (1 / 3)
   local c = contact{ load = 10, model = { upper = body.cylinder{ radius = 10, E = rigid }, lower = body.block{ E = rigid, layers = soft(t, 1000, 0.3) } } }
-  within(c.p_center, a * a / (20 * C), 0.01, ("layer of %g mm, thin as springs: centre pressure [MPa]"):format(t))
-  below(off_elements(c, a), 1, "half width off [elements]")
+  within(c.p_center, a * a / (20 * C), 0.01,
+    ("layer of %g mm, thin as springs: centre pressure [MPa]"):format(t))
+  below(off_elements(c, a), 1, "very thin layer: error of the half width [elements]")
 end
--- Tests layers of rubber, which bulges beside the contact, against centre pressures of 0.8294, 24.53 and 1.4222 MPa
--- on eight times finer meshes.
+-- Tests layers of rubber, which bulges beside the contact, against centre pressures on eight times finer
+-- meshes: 0.8294, 24.53 and 1.4222 MPa.
 for _, row in ipairs{ { 20, 0.3, 0.1, 0.83026 }, { 2000, 0.1, 1, 24.606 }, { 20, 0.1, 0.1, 1.4222 } } do
   local E, t, load, p0 = table.unpack(row)
   local c = contact{ load = load, model = { lower = body.block{ layers = soft(t * 0.10764, E, 0.49) } } }
-  within(c.p_center, p0, 0.01, ("rubber, %g MPa, %g a of steel: centre pressure [MPa]"):format(E, t))
+  within(c.p_center, p0, 0.01, ("rubber of %g MPa, %g half widths thick: centre pressure [MPa]"):format(E, t))
 end
 
 -- --- rounded punches ----------------------------------------------------------------------------
 
--- Computes the closed form of a rounded punch: P(a) = E* / (4 R) a^2 (pi - 2 f - sin 2f) with sin f = b / a,
--- and p(x) as the integral over a of P' / (pi sqrt(a^2 - x^2)).
+-- Computes the contact of a rounded punch on half-planes in closed form (flat half width b, edge radius R,
+-- contact half width a): the load is P(a) = E* / (4 R) a^2 (pi - 2 f - sin 2f) with sin f = b / a, and the
+-- pressure p(x) is the integral over a of P' / (pi sqrt(a^2 - x^2)).
 local E_star = 109890.1
 local function punch_law(flat, radius, load)
   local b, low, high = flat / 2, 0, math.pi / 2
@@ -76,7 +79,7 @@ for _, row in ipairs{ { 1, 2, 200 }, { 1, 2, 2000 }, { 0.1, 5, 100 }, { 0.7, 2, 
   local of = ("punch, flat %g, edges %g mm, %g N: "):format(flat, radius, load)
   within(c.p_center, p0, 0.01, of .. "centre pressure of half-planes [MPa]")
   within(c.p_max, most, 0.02, of .. "largest pressure [MPa]")
-  below(off_elements(c, a), 1, of .. "half width off [elements]")
+  below(off_elements(c, a), 1, of .. "error of the half width [elements]")
 end
 warnings.keep()
 warnings.take()
@@ -86,7 +89,8 @@ ok((warnings.take() or ""):find("its peaks there are too low; mesh.size = ", 1, 
 
 -- --- pins ---------------------------------------------------------------------------------------
 
--- Tests that loads proportional to the clearance give the same contact angle and almost the same p0 / P.
+-- Tests that loads proportional to the clearance have the same contact angle and almost the same ratio of
+-- centre pressure to load.
 local least, most = math.huge, 0
 for i = 1, 40 do
   local clearance = i * 0.0025
@@ -94,11 +98,12 @@ for i = 1, 40 do
   local c = contact{ load = load, model = { upper = body.disc{ radius = 10 - clearance }, lower = body.ring{ inner = 10, outer = 20 } } }
   least, most = math.min(least, c.p_center / load), math.max(most, c.p_center / load)
 end
-below(most / least - 1, 0.01, "pins of 40 clearances: p0 / P apart")
+below(most / least - 1, 0.01, "pins of 40 clearances: variation of centre pressure / load")
 local liner = { upper = body.disc{ radius = 13.9 }, lower = body.ring{ inner = 14, outer = 30, layers = soft(8, 850, 0.46) } }
 local worn_in = contact{ load = 100, model = liner }
 liner.mesh = { fineness = 3 }
-within(worn_in.p_center, contact{ load = 100, model = liner }.p_center, 0.01, "liner with a steel back: centre pressure, on a finer mesh [MPa]")
+within(worn_in.p_center, contact{ load = 100, model = liner }.p_center, 0.01,
+  "liner with a steel back: centre pressure against a finer mesh [MPa]")
 
 -- --- profiles -----------------------------------------------------------------------------------
 
@@ -106,18 +111,24 @@ local function parabola(radius) return function(x) return -x * x / (2 * radius) 
 for what, case in pairs{
   ["a parabola"] = { 10, { upper = body.profile{ width = 4, height = 2, y = parabola(10) }, lower = body.block{} } },
   ["a circle, wide"] = { 10, { upper = body.profile{ width = 16, height = 10, y = function(x) return math.sqrt(100 - x * x) end }, lower = body.block{} } },
-  ["beside the middle"] = { 10, { upper = body.profile{ width = 4, height = 2, y = function(x) return -(x - 0.3) ^ 2 / 20 end }, lower = body.block{} } },
-  ["from below"] = { 20 / 3, { upper = body.cylinder{ radius = 10 }, lower = body.profile{ width = 20, height = 10, y = parabola(20) } } },
-  ["hollow"] = { 20, { upper = body.cylinder{ radius = 10 }, lower = body.profile{ width = 20, height = 10, y = parabola(-20) } } } } do
+  ["with its crest beside the middle"] = { 10,
+    { upper = body.profile{ width = 4, height = 2, y = function(x) return -(x - 0.3) ^ 2 / 20 end },
+      lower = body.block{} } },
+  ["as the lower body"] = { 20 / 3, { upper = body.cylinder{ radius = 10 },
+    lower = body.profile{ width = 20, height = 10, y = parabola(20) } } },
+  ["with a hollow"] = { 20, { upper = body.cylinder{ radius = 10 },
+    lower = body.profile{ width = 20, height = 10, y = parabola(-20) } } } } do
   local radius, pair = table.unpack(case)
   local c, theory = contact{ model = pair }, hertz{ radius = radius }
   within(c.p_max, theory.p_max, 0.002, "profile, " .. what .. ": largest pressure [MPa]")
-  within(c.model.mesh.size, theory.half_width / 5.382, 0.03, "profile, " .. what .. ": size as of the cylinder's [mm]")
+  within(c.model.mesh.size, theory.half_width / 5.382, 0.03,
+    "profile, " .. what .. ": element size of an equal cylinder [mm]")
 end
 local level = { upper = body.profile{ width = 4, height = 2, y = function() return 0 end }, lower = body.block{} }
-ok(pcall(model, level), "a level profile is meshed")
+ok(pcall(model, level), "a flat profile is meshed")
 local _, why = pcall(contact, { model = level })
-ok(tostring(why):find("the bodies are too small for this contact", 1, true), "a contact wider than the bodies is reported")
+ok(tostring(why):find("the bodies are too small for this contact", 1, true),
+  "a contact wider than the bodies is reported")
 
 -- --- balls --------------------------------------------------------------------------------------
 
@@ -129,7 +140,8 @@ for _, row in ipairs{ { 10, 50, 200e3 }, { 10, 5, 200e3 }, { 3, 100, 400e3 } } d
   within(c.p_center, theory.p_max, 0.003, of .. "centre pressure [MPa]")
   if radius == 10 then within(c.approach, theory.approach, 0.01, of .. "approach [mm]") end
   pair.mesh = { fineness = 2 }
-  within(c.approach, contact{ load = load, model = pair }.approach, 0.001, of .. "approach of bodies of this size, on a finer mesh [mm]")
+  within(c.approach, contact{ load = load, model = pair }.approach, 0.001,
+    of .. "approach against a finer mesh [mm]")
 end
 
 -- --- messages -----------------------------------------------------------------------------------
@@ -145,5 +157,6 @@ for what, case in pairs{
   local _, narrow = pcall(contact, { load = load, model = pair })
   local upper, lower = tostring(narrow):match("needs mesh.zone = {cylinder = ([%d.]+), plate = ([%d.]+)} mm")
   pair.mesh.zone = { cylinder = tonumber(upper), plate = tonumber(lower) }
-  within(contact{ load = load, model = pair }.p_max, free.p_max, 1e-3, "the zones that a message names hold " .. what)
+  within(contact{ load = load, model = pair }.p_max, free.p_max, 1e-3,
+    "largest pressure with the zones suggested for " .. what)
 end

@@ -29,15 +29,15 @@ for _, case in ipairs{ { 1e-3, 1e-4, 60 }, { 1e-2, 3e-4, 40 } } do
   local tolerance, error, updates = table.unpack(case)
   local depth = ring{ tolerance = tolerance }
   local what = ("tolerance %g: "):format(tolerance)
-  below(worst(depth, fine), error, what .. "depths against much shorter steps, off by")
+  below(worst(depth, fine), error, what .. "error of the depths against much shorter steps")
   local _, whole = ring({ tolerance = tolerance }, { 3600 })
-  below(whole.update, updates, what .. "updates for 3600 m")
+  below(whole.update, updates, what .. "number of updates for 3600 m")
   within(depth[5] * 1e3, 44.063, 0.0005, what .. "depth at 3600 m, rigid limit [um]")
   within(depth[3] * 1e3, 16.155, 0.0005, what .. "depth at 800 m, published [um]")
 end
 
 -- Tests the volume of a wide scar. Wear is normal to the surface, so the volume is k times the integral of p
--- over the arc times the distance, which is more than k F s where the scar is inclined.
+-- over the arc times the distance. For inclined surfaces this is larger than k times load times distance.
 local function over_arc(w)
   local surface, contact = w:profile "plate", w:pressure()
   local arc, j = 0, 2
@@ -56,7 +56,8 @@ while w.distance < 3600e3 do
   local now = over_arc(w)
   total, before, at = total + (now + before) / 2 * (w.distance - at), now, w.distance
 end
-below(math.abs(w.volume.plate / (k * load * total) - 1), 5e-5, "volume against k times the integral of p over the arc, off by")
+below(math.abs(w.volume.plate / (k * load * total) - 1), 5e-5,
+  "error of the volume against k times the integral of p over the arc")
 
 warn "@off" -- suppresses warnings about the coarse mesh
 -- Tests that long steps also converge: computes the whole distance in a few steps of backward Euler.
@@ -66,6 +67,6 @@ for _, case in ipairs{ { 1, 0.002 }, { 8, 0.001 } } do
     load = load, k_cylinder = 0, k_plate = k, slide = "z", distance = 3600e3, scheme = "implicit", order = 1,
     geometry = "frozen", jump = 3600e3 / 0.22 / steps }
   w:run{ progress = false }
-  within(w.update, steps, 0, ("%d steps: updates"):format(steps))
-  below(math.abs(w.depth.plate / fine[5] - 1), error, ("%d steps: depth off by"):format(steps))
+  within(w.update, steps, 0, ("%d steps: number of updates"):format(steps))
+  below(math.abs(w.depth.plate / fine[5] - 1), error, ("%d steps: error of the depth"):format(steps))
 end

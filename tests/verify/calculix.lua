@@ -24,7 +24,7 @@ local function solve(name, object, c)
   export.inp(object, ("%s/%s.inp"):format(folder, name))
   local mesh = c.model.mesh
   local result, said = ccx.solve(folder, name, mesh.cylinder.nodes, mesh.cylinder.nodes + mesh.plate.nodes)
-  if not tap.ok(result, name .. ": runs as it is") then tap.note(said:sub(-2000)) end
+  if not tap.ok(result, name .. ": CalculiX runs the deck unchanged") then tap.note(said:sub(-2000)) end
   return result
 end
 
@@ -32,7 +32,7 @@ local function compare(name, object, c, room)
   local r = solve(name, object, c)
   if not r then return end
   local stress = c:stress()
-  tap.near(r.force, c.load, 1e-6, name .. ": carries the load")
+  tap.near(r.force, c.load, 1e-6, name .. ": total contact force")
   -- CalculiX extrapolates pressures from integration points to nodes. For an elliptic pressure the nodal
   -- values are too high by 1 / (12 n^2), where n is the number of elements in the half width.
   local elements = c.half_width / c.model.mesh.size

@@ -44,9 +44,9 @@ end
 for _, alpha in ipairs(paper.alphas) do
   for _, stroke in ipairs(paper.strokes) do
     local w, what = case[alpha][stroke], name(alpha, stroke)
-    ok(w.distance == distance, what .. ": distance met exactly")
-    below(off_volume(w, alpha), 1e-9, what .. ": volumes off by, of k L d")
-    below(off_line(w), 1e-9, what .. ": volume off its line, of k L d")
+    ok(w.distance == distance, what .. ": the run ends exactly at its distance")
+    below(off_volume(w, alpha), 1e-9, what .. ": error of the final volumes, fraction of k L d")
+    below(off_line(w), 1e-9, what .. ": error of the volume over the distance, fraction of k L d")
     local skew = 0
     for _, body in ipairs{ "cylinder", "plate" } do
       skew = math.max(skew, figures.asymmetry(w:profile(body).h), figures.asymmetry(w:pressure(body).p))
@@ -54,7 +54,7 @@ for _, alpha in ipairs(paper.alphas) do
     below(skew, 1e-9, what .. ": asymmetry of profiles and pressures")
     below(math.max(w:roughness("cylinder"), w:roughness("plate")), 5e-4, what .. ": roughness")
     below(math.abs(carried(w, "cylinder") / carried(w, "plate") - 1), 1e-4,
-      what .. ": forces on the bodies differ by")
+      what .. ": difference of the forces on both bodies")
   end
 end
 
@@ -62,7 +62,7 @@ end
 
 local function depth(got, expected, what)
   if expected == 0 then
-    ok(got == 0, what .. ": none")
+    ok(got == 0, what .. ": no wear")
   else
     within(1000 * got, expected, 3e-3, what .. " [um]")
   end
@@ -93,18 +93,20 @@ local function partition_range(w)
 end
 
 local reference = case[0.5][0.11]
-about(1 - reference.p_center / hertz{}.p_max, 0.66, 0.03, "s = a, alpha = 0.5: fall of the pressure")
+about(1 - reference.p_center / hertz{}.p_max, 0.66, 0.03,
+  "s = a, alpha = 0.5: relative decrease of the centre pressure")
 about(1000 * reference.depth.cylinder, 2, 0.35, "s = a, alpha = 0.5: depth of the cylinder [um]")
 about(1000 * reference.depth.plate, 2, 0.35, "s = a, alpha = 0.5: depth of the plate [um]")
 
 local shallow = case[0.25][0.11].history.depth_partition
 local low, high = partition_range(case[0.25][0.11])
 within(figures.mean(shallow, 2), 0.266, 0.01, "s = a, alpha = 0.25: mean depth partition")
-about((high - low) / figures.mean(shallow, 2), 0.045, 0.005, "s = a, alpha = 0.25: it varies by")
+about((high - low) / figures.mean(shallow, 2), 0.045, 0.005,
+  "s = a, alpha = 0.25: relative variation of the depth partition")
 for _, alpha in ipairs{ 0.25, 0.5, 0.75 } do
   low, high = partition_range(case[alpha][0.11])
   below(math.max(math.abs(low / alpha - 1), math.abs(high / alpha - 1)), 0.09,
-    ("s = a, alpha = %g: depth partition off alpha by"):format(alpha))
+    ("s = a, alpha = %g: relative difference of depth partition and alpha"):format(alpha))
   low = partition_range(case[alpha][20])
   figures.above(low, 0.96, ("s = 2R, alpha = %g: smallest depth partition"):format(alpha))
 end
@@ -114,7 +116,7 @@ low, high = partition_range(case[0.25][0.44])
 within(high / 0.25, 1.83, 0.02, "s = 4a, alpha = 0.25: largest depth partition / alpha")
 local falling, wide = true, case[0.25][0.44].history.depth_partition
 for i = 3, #wide do falling = falling and wide[i] < wide[i - 1] end
-ok(falling, "s = 4a, alpha = 0.25: depth partition falls with d")
+ok(falling, "s = 4a, alpha = 0.25: the depth partition decreases with distance")
 
 local function total_depth(alpha)
   local depth = case[alpha][0.11].depth
@@ -123,7 +125,7 @@ end
 
 for _, alpha in ipairs{ 0, 0.25, 0.75, 1 } do
   within(total_depth(alpha), total_depth(0.5), 0.03,
-    ("s = a, alpha = %g: h_c + h_p as at alpha = 0.5 [um]"):format(alpha))
+    ("s = a, alpha = %g: sum of depths against alpha = 0.5 [um]"):format(alpha))
 end
 
 -- Returns the largest distance of the centre pressure from the straight line between its first and last
@@ -136,7 +138,9 @@ local function bend(w)
   end
   return worst / (p[1] - p[#p])
 end
-below(bend(case[0][0.44]), 0.1, "s = 4a, alpha = 0: the pressure's fall bends by")
-figures.above(bend(case[0.5][0.44]), 0.3, "s = 4a, alpha = 0.5: it does bend, by")
+below(bend(case[0][0.44]), 0.1, "s = 4a, alpha = 0: deviation of the pressure from a straight line")
+figures.above(bend(case[0.5][0.44]), 0.3,
+  "s = 4a, alpha = 0.5: deviation of the pressure from a straight line")
 
-about(1000 * case[0.25][20].depth.plate, 0.0495, 1e-9, "2R: the plate's even wear after 66 passes [um]")
+about(1000 * case[0.25][20].depth.plate, 0.0495, 1e-9,
+  "2R: depth of uniform wear of the plate after 66 passes [um]")

@@ -11,7 +11,8 @@ local function layered(upper_E, base_E, thickness, E, nu, load, size, rows, zone
 end
 local function check_layer(what, solved, p0, half, element)
   within(solved.p_center, p0, 0.01, what .. ": centre pressure [MPa]")
-  if half then below(math.abs(solved.half_width - half), element, what .. ": half width, off by less than an element [mm]") end
+  if half then below(math.abs(solved.half_width - half), element,
+    what .. ": error of the half width, below an element [mm]") end
 end
 check_layer("rigid cylinder, layer of 0.1", layered(1e9, 1e9, 0.1, 1000, 0.3, 10, 0.01, 3, 0.7), 33.257, 0.2102, 0.01)
 check_layer("rigid cylinder, layer of 1", layered(1e9, 1e9, 1, 1000, 0.3, 10, 0.02, 3, 1), 19.412, 0.3283, 0.02)
@@ -20,4 +21,4 @@ check_layer("coat of 0.1", layered(210e3, 210e3, 0.1, 400e3, 0.3, 100, 0.005, 3,
 check_layer("coat of 0.005", layered(210e3, 210e3, 0.005, 400e3, 0.3, 100, 0.0025, 2, 0.4), 608.88)
 local alike = layered(200e3, 200e3, 0.05, 200e3, 0.3, 100, 0.02, 3, 1)
 within(alike.p_center, contact{ model = { mesh = { size = 0.02, height = 0.02, zone = { cylinder = 1, plate = 1 } } } }.p_center,
-  2e-3, "a layer of the same material is none")
+  2e-3, "a layer of the same material does not change the pressure")

@@ -1,5 +1,6 @@
 -- Tests the wear of layers and coatings: volumes by the coefficient of each layer, and pressures on the
 -- remaining layers.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
@@ -16,9 +17,10 @@ local function worn_by(distance)
   return w
 end
 local early, late = worn_by(100), worn_by(4000)
-within(early.volume_plate, 1e-8 * 100 * 100, 1e-9, "coat: volume by its own k while it lasts [mm3]")
-figures.ok(early.depth_plate < 2e-3, "coat: not through yet")
-figures.ok(late.depth_plate > 2e-3 and late.volume_plate > 1e-8 * 100 * 4000 * 1.2, "coat: after it is worn through, wear is faster")
+within(early.volume_plate, 1e-8 * 100 * 100, 1e-9, "coating not worn through: volume by its own k [mm3]")
+figures.ok(early.depth_plate < 2e-3, "coating: the depth is less than the thickness")
+figures.ok(late.depth_plate > 2e-3 and late.volume_plate > 1e-8 * 100 * 4000 * 1.2,
+  "coating worn through: wear is faster than by the coating's k")
 
 -- Tests that uniform wear of the plate includes its layers: with a stroke over the whole plate, and on the
 -- track of a pin.
@@ -29,7 +31,8 @@ for _, scheme in ipairs{ "explicit", "implicit" } do
   within(w.volume_plate, 1e-9 * 100 * 2000, 1e-12, "layer over the whole plate, " .. scheme .. ": volume by its own k [mm3]")
 end
 local through = wear{ load = 100, stroke = 20, distance = 120000, jump = 7, model = { lower = on(0.5e-3, 2e-8) } }:run()
-within((through.depth_plate - 0.5e-3) / 2e-8 + 0.5e-3 / 1e-9, 100 * 120000 / 20, 1e-12, "layer worn through evenly: integral dh / k [N]")
+within((through.depth_plate - 0.5e-3) / 2e-8 + 0.5e-3 / 1e-9, 100 * 120000 / 20, 1e-12,
+  "layer worn through uniformly: integral of dh / k [N]")
 for _, thickness in ipairs{ 1, 1e-4 } do
   local w = wear{ load = 50, slide = "z", track = 20, cycles = 1000, jump = 100, model = { geometry = "axisymmetric",
     upper = body.cylinder{ radius = 10, k = 1e-13 }, lower = on(thickness, 2e-8) } }:run()
@@ -54,7 +57,8 @@ local function worn_evenly(E, base, load, thickness, depths, tolerance)
   for _, depth in ipairs(depths) do
     w:run{ depth = { plate = depth } }
     within(w.p_center, contact{ load = load, model = pair(math.max(0, thickness - depth)) }.p_center, tolerance,
-      ("E %g on %g MPa, %g of %g mm worn evenly: pressure [MPa]"):format(E, base, depth, thickness))
+      ("layer of E %g on %g MPa, %g of %g mm worn uniformly: pressure [MPa]"):format(E, base, depth,
+        thickness))
   end
 end
 worn_evenly(1000, 1e9, 10, 0.1, { 0.02, 0.05, 0.085 }, 0.03)
@@ -69,7 +73,7 @@ end
 for _, scheme in ipairs{ "explicit", "implicit" } do
   local layered, plain = under_stroke(on(0.05, 2e-8), scheme), under_stroke(body.block{ k = 1e-9 }, scheme)
   local of = ("layer never worn through, %s: "):format(scheme)
-  within(layered.depth_plate, plain.depth_plate, 0.002, of .. "depth of its material alone [mm]")
-  within(layered.p_center, plain.p_center, 0.005, of .. "pressure of its material alone [MPa]")
-  figures.ok(layered.update <= 2 * plain.update, of .. "in updates as long")
+  within(layered.depth_plate, plain.depth_plate, 0.002, of .. "depth of a body of its material [mm]")
+  within(layered.p_center, plain.p_center, 0.005, of .. "pressure of a body of its material [MPa]")
+  figures.ok(layered.update <= 2 * plain.update, of .. "at most twice the number of updates")
 end

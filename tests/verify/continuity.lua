@@ -1,5 +1,6 @@
 -- Tests continuity: results vary smoothly over sweeps of the input, and inputs that differ by rounding give
 -- the same result.
+
 -- Long
 local here = arg[0]:match("^(.*)/") or "."
 local figures = dofile(here .. "/lib/figures.lua")
@@ -34,8 +35,10 @@ local of_contact = { "p_center", "p_max", "half_width", "approach" }
 local of_run = { "V", "depth_cylinder", "depth_plate", "p_center", "half_width" }
 local steel = model{}
 sweep("the load of a contact on one mesh", 90, 110, of_contact, pressed(function(x) return { model = steel, load = x } end))
-sweep("the load of a contact, meshes fitted", 90, 110, of_contact, pressed(function(x) return { load = x } end))
-sweep("the plate's place", 0, 0.02, of_contact, pressed(function(x) return { model = steel, load = 100, x = x } end))
+sweep("the load of a contact, automatic meshes", 90, 110, of_contact,
+  pressed(function(x) return { load = x } end))
+sweep("the plate's position", 0, 0.02, of_contact,
+  pressed(function(x) return { model = steel, load = 100, x = x } end))
 sweep("the load of a run", 90, 110, of_run, worn(function(x) return { load = x } end))
 sweep("the load of an implicit run", 90, 110, of_run,
   worn(function(x) return { load = x, scheme = "implicit", tolerance = 1e-3 } end))
@@ -55,4 +58,5 @@ local function under(load)
   return wear{ friction = 0.6, k = 1e-7, cycles = 1000, jump = "auto", loading = loading }:run().volume.total
 end
 local steady, rounded = under(function() return 100 end), under(function(t) return 100 * (math.sin(7 * t)^2 + math.cos(7 * t)^2) end)
-figures.below(math.abs(rounded / steady - 1), 1e-5, "a load with noise of its last bit changes V by")
+figures.below(math.abs(rounded / steady - 1), 1e-5,
+  "relative change of V by a load with noise of its last bit")

@@ -24,7 +24,8 @@ end
 local function earns(what, error_of, most, times)
   local with, without = error_of("all"), error_of("none")
   figures.below(with, most, what .. ": with the correction")
-  figures.above(without / with, times, ("%s: %.3g without it, times as much"):format(what, without))
+  figures.above(without / with, times,
+    ("%s: %.3g without the correction, ratio of both errors"):format(what, without))
 end
 
 earns("edge law: half width, largest error in elements", function(corrections)
@@ -42,7 +43,7 @@ local function along_surface(c, each)
   for _, node in ipairs(usual.mesh.plate:surface()) do each(field.x[node], field.sxx[node]) end
 end
 
-earns("edge law: stress along the surface within 1.5 elements of the edge, largest error, share of p_max",
+earns("edge law: stress along the surface within 1.5 elements of the edge, largest error, fraction of p_max",
   function(corrections)
     local most = 0
     for _, load in ipairs(loads(8)) do
@@ -57,7 +58,8 @@ earns("edge law: stress along the surface within 1.5 elements of the edge, large
     return most
   end, 0.03, 3)
 
-earns("cusp: stress along the surface beside the edges in sliding, largest error, share of p_max", function(corrections)
+earns("cusp: stress along the surface beside the edges in sliding, largest error, fraction of p_max",
+  function(corrections)
   local most = 0
   for _, load in ipairs(loads(4)) do
     local h = hertz{ load = load }
@@ -85,7 +87,7 @@ local function exact_shear(h, x)
   return mu * h.p_max * (circle(h.half_width) - circle(h.half_width * math.sqrt(0.5)))
 end
 
-earns("levelled shear: root mean square error, share of mu p_max", function(corrections)
+earns("levelled shear: root mean square error, fraction of mu p_max", function(corrections)
   local off = {}
   for _, load in ipairs(loads(12)) do
     local h, shear = hertz{ load = load }, sheared(load, corrections):shear()
@@ -138,8 +140,8 @@ local w = wear{ model = usual, corrections = "none", distance = 50 }
 w:run{ progress = false }
 local file = os.tmpname() .. ".archard"
 w:save(file)
-figures.ok(wear.open(file).corrections == "none", "the choice is saved with the run")
+figures.ok(wear.open(file).corrections == "none", "the choice of corrections is saved with the run")
 os.remove(file)
 local unworn = wear{ model = usual, corrections = "none" }
 figures.ok(contact{ worn = unworn }.half_width ~= contact{ worn = unworn, corrections = "none" }.half_width,
-  "a contact of a run's surfaces has a choice of its own")
+  "a contact on the surfaces of a run can choose other corrections")

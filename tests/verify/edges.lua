@@ -1,6 +1,7 @@
 -- Tests the edges of the contact against Hertz theory, and in worn contacts against runs on elements of 5 um
 -- over the whole distance. Smooth edges are located between the nodes by the asymptotic law of forces and
--- gaps. Edges at kinks of scars have the accuracy stated here.
+-- gaps; edges at kinks of scars are less accurate.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below = figures.below
@@ -11,7 +12,8 @@ for _, size in ipairs{ 0.02, 0.01 } do
     local off = contact{ model = m, load = load }.half_width - hertz{ load = load }.half_width
     worst = math.max(worst, math.abs(off) / size)
   end
-  below(worst, 0.035, ("unworn, the worst of 41 loads, %g um: half width off by elements"):format(1000 * size))
+  below(worst, 0.035,
+    ("unworn, 41 loads, elements of %g um: largest error of the half width in elements"):format(1000 * size))
 end
 
 -- Returns the half widths of the contact [mm] at multiples of 60 mm of distance.
@@ -34,7 +36,8 @@ for _, case in ipairs{ { alpha = 0, stroke = 0.22, mean = 0.04, most = 0.08 },
     local off = math.abs(width - fine[i]) / 0.02
     sum, worst = sum + off * off, math.max(worst, off)
   end
-  local what = ("alpha = %g, s = %g, 20 um: half width off by elements, "):format(case.alpha, case.stroke)
+  local what = ("alpha = %g, s = %g, 20 um: error of the half width in elements, "):format(case.alpha,
+    case.stroke)
   below(math.sqrt(sum / #coarse), case.mean, what .. "r.m.s. over the run")
-  below(worst, case.most, what .. "at worst")
+  below(worst, case.most, what .. "largest")
 end

@@ -1,5 +1,6 @@
 -- Tests the default mesh sizes: for every radius and load, the error of the centre pressure of the unworn
 -- contact is as small as in the reference case of the paper.
+
 -- Long
 local here = arg[0]:match("^(.*)/") or "."
 local figures = dofile(here .. "/lib/figures.lua")
@@ -29,10 +30,10 @@ for _, R in ipairs{ 0.5, 2, 10, 50, 200, 1000 } do
   end
 end
 below(against_hertz, 0.0005, "steel, radii 0.5 to 1000 mm, 1 to 10000 N: centre pressure against Hertz")
-below(against_finer, 0.0008, "against elements of a third of the size")
+below(against_finer, 0.0008, "steel: centre pressure against elements of a third of the size")
 below(soft_one, 0.002, "polyethylene (nu = 0.45) against steel: centre pressure against Hertz")
 
 -- Tests that the mesh of the reference case is unchanged.
 local c = contact{}
 ok(c.model.mesh.size == 0.02 and c.model.mesh.height == 0.025 and c.model.mesh.far == 1
-  and c.model.mesh.zone.cylinder == 1, "the paper's mesh, to the bit")
+  and c.model.mesh.zone.cylinder == 1, "the mesh of the reference case is unchanged to the bit")

@@ -1,5 +1,5 @@
--- Tests a plate that stays flat: the wear of the cylinder depends only on k_c d and tends to a flat scar
--- under uniform pressure.
+-- Tests a plate that stays flat: the wear of the cylinder depends only on k_c d, the product of its wear
+-- coefficient and the sliding distance, and tends to a flat scar under uniform pressure.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within = figures.within
 
@@ -48,7 +48,8 @@ for _, times in ipairs{ 1, 4, 16 } do
   within(1000 * w.depth.cylinder, 1000 * b * b / 20, 0.035, ("d = %g mm: depth [um]"):format(distance))
   within(w.half_width, b, 0.05, ("d = %g mm: half width [mm]"):format(distance))
   if last_off then
-    figures.below(off, 0.7 * last_off, ("d = %g mm: depth off the flat scar's by"):format(distance))
+    figures.below(off, 0.7 * last_off,
+      ("d = %g mm: relative difference of the depth and the flat scar's"):format(distance))
   end
   last_off = off
 end

@@ -1,7 +1,8 @@
 -- Tests wear with friction: McColl's fretting case in gross slip, the energy law, and partial slip against a
--- reduced law without a friction solver. The reduced law is dw/dN = 4 mu k p (g + w) per cycle outside a stick
--- zone with constant edge c. In this law g is half the slip of Cattaneo and Mindlin's half cycle divided by mu,
--- w the wear of both bodies and p the pressure on the worn surfaces.
+-- reduced law that needs no friction solver. The reduced law is dw/dN = 4 mu k p (g + w) for the sum w of
+-- both wear depths over the cycles N, outside a stick zone with constant edge c. Here p is the pressure on
+-- the worn surfaces, and 2 mu g is the slip in half a cycle by Cattaneo and Mindlin.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, note, ok = figures.within, figures.note, figures.ok
@@ -88,7 +89,7 @@ for _, case in ipairs{ { 6, 1, 0.015 }, { 13, 1, 0.003 }, { 6, 0.5, 0.015 }, { 1
   w:run{ progress = false }
   local label = ("elements of %.1f x %.1f um, %d cycles of partial slip: "):format(1e3 * size, 1e3 * height * size, last)
   within(w.volume.total, expected, allowed, label .. "volume [mm3]")
-  within(first, 2 * c, 1e-3, label .. "width that sticks at first [mm]")
-  within(w.stick_width, first, 1e-12, label .. "and at last")
+  within(first, 2 * c, 1e-3, label .. "width of the stick zone after the first step [mm]")
+  within(w.stick_width, first, 1e-12, label .. "width of the stick zone at the end [mm]")
   note(("p at the centre %.2f MPa, depth of each %.4f um"):format(w.p_center, 1e3 * w.depth.plate))
 end

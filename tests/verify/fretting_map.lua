@@ -1,5 +1,6 @@
--- Tests the fretting map against half-planes, and its error by the mesh: the borders of stick, partial slip
--- and gross slip, and the edges of the stick zone, from which the first border is computed.
+-- Tests the fretting map against half-planes, and its mesh error: the transitions between stick, partial slip
+-- and gross slip, and the edges of the stick zone, from which the first transition is computed.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, note = figures.within, figures.below, figures.note
@@ -8,8 +9,8 @@ local mu = 0.6
 
 -- --- stick zone ---------------------------------------------------------------------------------
 
--- Computes the error of half the stick zone's width against Cattaneo and Mindlin, in elements, over contacts
--- whose edges move across an element.
+-- Returns the largest and the mean error of half the stick zone's width against Cattaneo and Mindlin, in
+-- elements, over contacts whose edges move across an element.
 local function edges_off(fineness, share)
   local first = contact{ model = { mesh = { fineness = fineness } }, friction = mu }
   local size, a, most, sum, count = first.model.mesh.size, first.half_width, 0, 0, 12
@@ -26,7 +27,9 @@ for _, share in ipairs{ 0.3, 0.5, 0.7 } do
   for fineness, allowed in pairs{ [0.4] = 0.09, [1] = 0.07 } do
     local most, mean = edges_off(fineness, share)
     note(("fineness %g, %g of the force: mean %+.3f elements"):format(fineness, share, mean))
-    below(most, allowed, ("fineness %g, %g of the force: edge of the zone that sticks, elements off at most"):format(fineness, share))
+    below(most, allowed,
+      ("fineness %g, %g of the force: largest error of the stick zone's edge in elements"):format(fineness,
+        share))
   end
 end
 
@@ -47,16 +50,17 @@ for _, annulus in ipairs{ 0.05, 0.1, 0.2 } do
       model = { mesh = { fineness = fineness } } }
     for i, load in ipairs(loads) do
       within(map.partial_from[i], exact[i], allowed,
-        ("fineness %g, %g N, %g %% of the width: partial slip from [mm]"):format(fineness, load, 100 * annulus))
+        ("fineness %g, %g N, %g %% of the width: transition to partial slip [mm]"):format(fineness, load,
+          100 * annulus))
     end
   end
 end
 
--- Tests the displacement until gross slip for 100 N/mm against half-planes with the length of the bodies
--- (7.23 R).
+-- Tests the displacement at the start of gross slip under 100 N/mm against half-planes whose length is that
+-- of the bodies (7.23 R).
 for fineness = 1, 2 do
   local map = study.fretting_map{ load = { 100 }, motion = { 1e-3 }, friction = mu, model = { mesh = { fineness = fineness } } }
-  within(map.gross_from[1], 2.677e-3, 0.006, ("fineness %d: gross slip from [mm]"):format(fineness))
+  within(map.gross_from[1], 2.677e-3, 0.006, ("fineness %d: transition to gross slip [mm]"):format(fineness))
 end
 
 -- Tests dissimilar bodies, which slip first on one side. They have no closed form, but the result must not
@@ -66,5 +70,7 @@ local function dissimilar(fineness)
     model = { plate = { E = 70e3, nu = 0.33 }, mesh = { fineness = fineness } } }
 end
 local fine, map = dissimilar(3), dissimilar(1)
-within(map.partial_from[1], fine.partial_from[1], 0.03, "dissimilar, fineness 1 to 3: partial slip from [mm]")
-within(map.gross_from[1], fine.gross_from[1], 0.005, "dissimilar, fineness 1 to 3: gross slip from [mm]")
+within(map.partial_from[1], fine.partial_from[1], 0.03,
+  "dissimilar bodies, fineness 1 to 3: transition to partial slip [mm]")
+within(map.gross_from[1], fine.gross_from[1], 0.005,
+  "dissimilar bodies, fineness 1 to 3: transition to gross slip [mm]")

@@ -1,6 +1,7 @@
 -- Tests friction against closed forms of half-planes: partial slip (Cattaneo and Mindlin), cycles of force
 -- and of load and force together (Jaeger), stick under a normal load alone (Goodman), and sliding. Also tests
 -- the effect of the bodies' outer boundaries.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local slices = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/slices.lua")
@@ -48,17 +49,18 @@ for _, size in ipairs{ 0.02, 0.01, 0.005 } do
     local there = pressed:move{ tangential = force }
     local back = there:move{ tangential = -force }
     local again = back:move{ tangential = force }
-    figures.ok(#there.stick == 1, label .. "one zone sticks")
-    about((there.stick[1].right - there.stick[1].left) / 2, c, size / 2, label .. "half its width [mm], half an element")
+    figures.ok(#there.stick == 1, label .. "a single stick zone")
+    about((there.stick[1].right - there.stick[1].left) / 2, c, size / 2, label ..
+      "half width of the stick zone [mm], to half an element")
     below(shear_error(there, c), allowed[size].shear, label .. "shear, root mean square / (mu p0)")
     within(again.energy - there.energy, cycle_energy(force / (mu * load)), allowed[size].energy[i],
       label .. "energy of a cycle [N mm]")
-    about(again.tangential, force, 1e-9, label .. "the force is the one that was asked for [N]")
+    about(again.tangential, force, 1e-9, label .. "the tangential force is the given force [N]")
     if size == 0.005 and force == 30 then slipping = { pressed = pressed, there = there, back = back } end
   end
 end
 
--- Tests the slip over a half cycle, 2 mu g, at the nodes in contact.
+-- Tests the slip in a half cycle at the nodes in contact against Cattaneo and Mindlin's closed form, 2 mu g.
 do
   local c, worst = a * math.sqrt(0.5), 0
   local there, back = slipping.there:slip(), slipping.back:slip()
@@ -98,8 +100,8 @@ end
 local function n_of(force, size) return a * (1 - math.sqrt(1 - force / (mu * load))) / size end
 
 -- Tests that the error of the energy does not depend on how the bodies were pressed together, on the number
--- of increments or on the cycle. The area of the loop is computed from the displacement without the slip
--- between the nodes, so it scatters like sums over nodes.
+-- of increments or on the cycle. The area of the loop uses displacements without the slip between the nodes,
+-- so it scatters more than the energy.
 do
   local c = contact{ model = models[0.01], friction = mu }:move{ tangential = 30 }
   local cycle = c:move{ tangential = -30 }:move{ tangential = 30 }
@@ -111,13 +113,13 @@ do
     area = area + (later.x - x) * (later.tangential + force) / 2
   end
   within(first, (1 + energy_off(models[0.01], 30, load)) * cycle_energy(0.5), 1e-3,
-    "energy of a cycle, as where the bodies were pressed without friction and went in 1 increment [N mm]")
-  within(2 * half, first, 1e-3, "energy of the second cycle, in 100 increments")
+    "energy of a cycle, against frictionless pressing and a single increment [N mm]")
+  within(2 * half, first, 1e-3, "energy of the second cycle, in 100 increments [N mm]")
   within(2 * area, first, 0.85 / n_of(30, 0.01) ^ 2, "energy against the area of the loop")
-  ok(later.x > start, "direction of the loop")
+  ok(later.x > start, "sense of rotation of the loop")
 end
 
--- Tests the error of the energy over contacts whose edges move across two elements, for any element height.
+-- Tests the error of the energy over contacts whose edges move across two elements, for two element heights.
 -- On elements of 20 um under 12 N the slip annulus is narrower than one element on both sides, and no node
 -- slips in half of the contacts.
 local rms = { [0.02] = { [12] = 0.08, [30] = 0.0075, [48] = 0.006 }, [0.01] = { [12] = 0.01, [30] = 0.002, [48] = 0.002 },
@@ -131,13 +133,14 @@ for _, size in ipairs{ 0.02, 0.01, 0.005 } do
       local label = ("%g x %g um, %g N, n = %.1f: energy of a cycle, "):format(1e3 * size, 1e3 * size * height, force,
         n_of(force, size))
       note(("%smean %+.3f %%, r.m.s. %.3f %%, at most %.3f %%"):format(label, 100 * mean, 100 * scatter, 100 * most))
-      below(scatter, rms[size][force], label .. "r.m.s. of its error")
-      below(most, 2 * rms[size][force], label .. "largest")
+      below(scatter, rms[size][force], label .. "r.m.s. error")
+      below(most, 2 * rms[size][force], label .. "largest error")
       if force == 30 then scatters[size] = scatter end
     end
   end
 end
-figures.above(math.log(scatters[0.02] / scatters[0.005], 4), 2, "30 N: its order of convergence from 20 to 5 um")
+figures.above(math.log(scatters[0.02] / scatters[0.005], 4), 2,
+  "30 N: order of convergence of the energy from 20 to 5 um")
 
 -- Tests that the error does not depend on the position of the plate's nodes between the cylinder's nodes.
 for _, row in ipairs{ { 0.01, 12, 0.02 }, { 0.01, 30, 0.004 }, { 0.005, 12, 0.002 }, { 0.005, 48, 0.0015 } } do
@@ -148,7 +151,8 @@ for _, row in ipairs{ { 0.01, 12, 0.02 }, { 0.01, 30, 0.004 }, { 0.005, 12, 0.00
       worst = math.max(worst, math.abs(energy_off(models[size], force, each, nil, (part + 2) * size)))
     end
   end
-  below(worst, most, ("%g um, %g N, the plate off the grid: energy of a cycle, largest error"):format(1e3 * size, force))
+  below(worst, most,
+    ("%g um, %g N, plate nodes between the cylinder nodes: energy of a cycle, largest error"):format(1e3 * size, force))
 end
 
 -- Tests small forces, under which no node slips and all energy is dissipated between the nodes, and forces
@@ -160,8 +164,8 @@ end
 
 -- --- forces with a mean value ---------------------------------------------------------------------
 
--- Tests cycles of force with any mean value. A change D of the force after a reversal dissipates half of the
--- energy of the cycle of +-D/2; this is checked for each half of each cycle, in one increment or nine, and in
+-- Tests cycles of a force with a mean value. A change D of the force after a reversal dissipates half of the
+-- energy of the cycle of +-D/2. This is checked for each half of each cycle, in one increment or nine, and in
 -- the loops of wear. If the force passes an earlier turning point, the earlier branch is continued.
 local function way_energy(change) return cycle_energy(change / (2 * mu * load)) / 2 end
 
@@ -194,12 +198,14 @@ do
     local wanted = force <= 10 and way_energy(force + 20) or way_energy(30) + way_energy(force + 45) - way_energy(55)
     worst = math.max(worst, math.abs((c:move{ tangential = force }.energy - c.energy) / wanted - 1))
   end
-  below(worst, 0.003, "5 um, 45, -45, 10, -20 N and up again, past the turn at 10 N too: energy, largest error")
+  below(worst, 0.003, "5 um, forces 45, -45, 10, -20 N and again beyond 10 N: energy, largest error")
   -- more reversals than the library stores
   for i = 1, 100 do c = c:move{ tangential = (-1) ^ i * (40 - 0.3 * i) } end
-  within(c:move{ tangential = -10 }.energy - c.energy, way_energy(20), 0.005, "after 100 nested reversals: energy of a displacement")
+  within(c:move{ tangential = -10 }.energy - c.energy, way_energy(20), 0.005,
+    "energy of a displacement after 100 nested reversals [N mm]")
   c = c:move{ tangential = -20 }
-  within(c:move{ tangential = 10 }.energy - c.energy, way_energy(30), 0.002, "energy of a displacement beyond many reversals")
+  within(c:move{ tangential = 10 }.energy - c.energy, way_energy(30), 0.002,
+    "energy of a displacement beyond many reversals [N mm]")
 end
 
 -- Tests the stick zone after a reversal: after a change D of the force, its half width is a sqrt(1 - D / (2
@@ -211,7 +217,8 @@ for _, size in ipairs{ 0.02, 0.01, 0.005 } do
     local edge = a * math.sqrt(1 - (48 - force) / (2 * mu * load))
     worst = math.max(worst, math.abs(c.stick[1].right - edge), math.abs(c.stick[1].left + edge))
   end
-  below(worst / size, 0.15, ("%g um, back from 48 N: edges of the zone that sticks, elements off"):format(1e3 * size))
+  below(worst / size, 0.15,
+    ("%g um, after a reversal at 48 N: error of the stick zone's edges in elements"):format(1e3 * size))
 end
 
 -- Tests the energy of a cycle for other bodies: thin plates, plastics, and the element type CPE4I.
@@ -248,7 +255,7 @@ local function jaeger_energy(path, steps)
 end
 
 within(jaeger_energy(function(t) return load, 30 * math.sin(2 * math.pi * t) end, 1000), cycle_energy(0.5), 2e-3,
-  "Jaeger's slices give the energy of Cattaneo and Mindlin [N mm]")
+  "Jaeger's slices have the energy of Cattaneo and Mindlin [N mm]")
 
 local function engine_energy(path, steps)
   local normal, force = path(0)
@@ -266,7 +273,7 @@ for _, phase in ipairs{ 0.25, 0.5 } do
     return load * (1 + 0.3 * math.sin(2 * math.pi * t)), 38 * math.sin(2 * math.pi * (t + phase))
   end
   within(engine_energy(path, 80), jaeger_energy(path, 1000), 0.01,
-    ("load +-30 %%, force +-38 N, %g of a cycle apart: energy [N mm]"):format(phase))
+    ("load +-30 %%, force +-38 N, shifted by %g of a cycle: energy [N mm]"):format(phase))
 end
 
 -- --- stick and slip under a normal load alone ---------------------------------------------------
@@ -277,8 +284,8 @@ local function elliptic(k)
   return math.pi / (2 * x)
 end
 
--- Returns the share k of the contact width that sticks, from Goodman's equation K(k') / K(k) = |beta| / mu.
--- The equation neglects the effect of the shear on the pressure.
+-- Returns the fraction k of the contact width that sticks, from Goodman's equation K(k') / K(k) = |beta| / mu
+-- with complete elliptic integrals K. The equation neglects the effect of the shear on the pressure.
 local function stuck_share(beta, friction)
   local low, high = 1e-9, 1 - 1e-12
   for _ = 1, 100 do
@@ -299,8 +306,8 @@ do
     local c = contact{ model = m, friction = friction, increments = 60 }
     local wide = stuck_share(beta, friction) * h.half_width
     about((c.stick[1].right - c.stick[1].left) / 2, wide, 0.01,
-      ("dissimilar bodies, friction %g: half the zone that sticks [mm], an element"):format(friction))
-    about(c.tangential, 0, 1e-6, "no force along x [N]")
+      ("dissimilar bodies, friction %g: half width of the stick zone [mm], to an element"):format(friction))
+    about(c.tangential, 0, 1e-6, "dissimilar bodies: no tangential force [N]")
   end
 end
 
@@ -308,8 +315,8 @@ end
 
 do
   local c = contact{ model = models[0.01], friction = mu }:move{ x = 0.05, increments = 20 }
-  about(c.tangential, mu * load, 1e-9, "sliding: force [N]")
-  figures.ok(#c.stick == 0, "no stick zone")
+  about(c.tangential, mu * load, 1e-9, "gross slip: tangential force [N]")
+  figures.ok(#c.stick == 0, "gross slip: no stick zone")
   local field, surface = c:stress().plate, c.model.mesh.plate:surface()
   local worst, largest = 0, 0
   for _, node in ipairs(surface) do
@@ -320,12 +327,13 @@ do
     end
     largest = math.max(largest, field.principal[node])
   end
-  below(worst / p0, 0.02, "stress along the plate's surface, |x| < 0.8 a: largest error / p0")
-  within(largest, 2 * mu * p0, 0.25, "largest principal stress, at the trailing edge, where it has a cusp [MPa]")
+  below(worst / p0, 0.02, "gross slip: stress along the plate's surface, |x| < 0.8 a: largest error / p0")
+  within(largest, 2 * mu * p0, 0.25,
+    "gross slip: largest principal stress, at a cusp at the trailing edge [MPa]")
 end
 
--- Tests the stress along the surface at the nodes within one and a half elements of the edges of the contact,
--- where it has cusps of 2 mu p0. With each load the nodes have another distance from the edge.
+-- Tests the stress along the surface at the nodes within one and a half elements of the contact's edges,
+-- where it has cusps of 2 mu p0. The distance of the nodes from the edge differs between the loads.
 for _, row in ipairs{ { 0.02, 0.09 }, { 0.01, 0.065 } } do
   local size, worst = row[1], 0
   for normal = 80, 120, 10 do
@@ -344,20 +352,22 @@ for _, row in ipairs{ { 0.02, 0.09 }, { 0.01, 0.065 } } do
       end
     end
   end
-  below(worst, row[2], ("sliding, %g um: stress along both surfaces beside the edges, largest error / p0"):format(1000 * size))
+  below(worst, row[2],
+    ("gross slip, %g um: stress along both surfaces near the edges, largest error / p0"):format(1000 * size))
 end
 
 -- --- effect of the outer boundaries -------------------------------------------------------------
 
 do
   local pressed = contact{ model = models[0.01], friction = mu }
-  within(pressed:move{ x = 1e-6 }.tangential / 1e-6, 23965, 0.01, "stiffness while all stick [N/mm]")
+  within(pressed:move{ x = 1e-6 }.tangential / 1e-6, 23965, 0.01,
+    "stiffness while the whole contact sticks [N/mm]")
   local low, high = 2e-3, 3e-3
   for _ = 1, 24 do
     local middle = (low + high) / 2
     if #pressed:move{ x = middle }.stick == 0 then high = middle else low = middle end
   end
-  within(low, 2.677e-3, 0.005, "the plate slides after [mm]")
+  within(low, 2.677e-3, 0.005, "displacement at the start of sliding [mm]")
 end
 
 -- --- meshes chosen for a contact with friction ----------------------------------------------------

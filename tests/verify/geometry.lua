@@ -20,13 +20,13 @@ local frozen = run{ geometry = "frozen" }
 compare(frozen, reference, 1e-3, "frozen against moving geometry")
 figures.ok(frozen.p_center ~= reference.p_center, "frozen and moving geometry differ")
 
-compare(run{ refresh = 0 }, reference, 1e-4, "stiffness renewed at every update")
+compare(run{ refresh = 0 }, reference, 1e-4, "stiffness recomputed at every update")
 
 local total = run{ slip = "total" }
 compare(total, reference, 0.01, "total against rigid slip")
-within(total.volume.total, reference.volume.total, 0.01, "its volume, the work actually done [mm3]")
+within(total.volume.total, reference.volume.total, 0.01, "total slip: volume by the work actually done [mm3]")
 
-compare(run{ increments = 200 }, reference, 1e-3, "200 against 100 increments a cycle")
+compare(run{ increments = 200 }, reference, 1e-3, "200 against 100 increments per cycle")
 
 -- Tests that a mesh twice as fine changes the results by less than 1 %.
 local fine = run{ model = { mesh = { size = 0.01, height = 0.0125, rows = 6 } } }
@@ -39,13 +39,14 @@ compare(run{ model = { mesh = { element = "CPE4I" } } }, reference, 0.01, "CPE4I
 -- times the sliding distance of a cycle, 0.22 mm.
 local first = wear{ alpha = 0.5, jump = 1 }
 first:step()
-within(first.depth.cylinder, 0.5e-8 * hertz{}.p_max * 0.22, 5e-3, "first cycle on the cylinder [mm]")
--- Twice in a cycle of stroke s the part |x| <= s/2 of Hertz' pressure p_H sqrt(1 - x^2/a^2) passes over the
+within(first.depth.cylinder, 0.5e-8 * hertz{}.p_max * 0.22, 5e-3,
+  "depth of the cylinder in the first cycle [mm]")
+-- In a cycle of stroke s the part |x| <= s/2 of Hertz' pressure p_H sqrt(1 - x^2/a^2) passes twice over the
 -- plate's middle.
 local a, s = hertz{}.half_width, 0.11
 local t = s / 2 / a
 local passed = hertz{}.p_max * a * (t * math.sqrt(1 - t * t) + math.asin(t))
-within(first.depth.plate, 0.5e-8 * 2 * passed, 5e-3, "first cycle on the plate [mm]")
+within(first.depth.plate, 0.5e-8 * 2 * passed, 5e-3, "depth of the plate in the first cycle [mm]")
 
 -- Tests pressures at the edge of a scar: the largest nodal pressure increases with finer meshes, and the mean
 -- pressure over a fixed length converges.
@@ -54,9 +55,11 @@ for i, size in ipairs{ 0.02, 0.01, 0.005 } do
   local w = run{ alpha = 0.75, geometry = "frozen", jump = 5e3 * size,
     model = { mesh = { size = size, height = 1.25 * size, zone = { cylinder = 1.2, plate = 1.6 } } } }
   peaks[i], means[i] = w.p_max, w.p_average
-  within(contact{ worn = w, model = w.model, average = 0 }.p_average, w.p_max, 1e-12, "the mean over nothing: p_max [MPa]")
-  within(contact{ worn = w, model = w.model, average = 1 }.p_average, 100, 1e-9, "the mean over 1 mm: the load [MPa]")
+  within(contact{ worn = w, model = w.model, average = 0 }.p_average, w.p_max, 1e-12,
+    "the mean over a length of zero is p_max [MPa]")
+  within(contact{ worn = w, model = w.model, average = 1 }.p_average, 100, 1e-9,
+    "the mean over 1 mm is the load per mm [MPa]")
 end
-figures.above(peaks[3] / peaks[1], 1.08, "p_max at 5 um over that at 20 um")
+figures.above(peaks[3] / peaks[1], 1.08, "p_max on elements of 5 um divided by p_max on 20 um")
 within(means[1], means[2], 0.05, "p_average at 20 um against 10 um [MPa]")
 within(means[2], means[3], 0.01, "p_average at 10 um against 5 um [MPa]")

@@ -4,8 +4,8 @@ local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, above = figures.within, figures.below, figures.above
 
 local exact = hertz{}
-within(exact.half_width, 0.107641, 1e-5, "half width by formula [mm]")
-within(exact.p_max, 591.431, 1e-6, "largest pressure by formula [MPa]")
+within(exact.half_width, 0.107641, 1e-5, "half width by Hertz' formula [mm]")
+within(exact.p_max, 591.431, 1e-6, "largest pressure by Hertz' formula [MPa]")
 
 local function hertz_pressure(x, h)
   local t = x / h.half_width
@@ -47,7 +47,8 @@ for i, size in ipairs(sizes) do
   errors[i], worst = centre_error(m)
   figures.note(("%g um: centre pressure over 60 to 140 N off by %.3f %% (r.m.s.), %.3f %% at most")
     :format(1000 * size, 100 * errors[i], 100 * worst))
-  if size == 0.02 then below(worst, 5e-3, "centre pressure at the worst of 21 loads, 20 x 25 um") end
+  if size == 0.02 then below(worst, 5e-3,
+    "largest error of the centre pressure over 21 loads, 20 x 25 um") end
 end
 for i = 2, #sizes do
   local order = math.log(errors[i - 1] / errors[i], 2)
@@ -72,9 +73,11 @@ for _, body in ipairs{ "cylinder", "plate" } do
   local field = stress[body]
   local mises, deep, x = largest(field, "mises")
   within(mises, 0.5575 * exact.p_max, 0.02, body .. ": largest von Mises stress [MPa]")
-  figures.about(deep / exact.half_width, 0.704, 0.13, body .. ": its depth / a, to half an element")
-  figures.about(x, 0, 1e-9, body .. ": on the axis [mm]")
+  figures.about(deep / exact.half_width, 0.704, 0.13,
+    body .. ": depth of the largest von Mises stress / a, to half an element")
+  figures.about(x, 0, 1e-9, body .. ": x of the largest von Mises stress [mm]")
   local shear, below_surface = largest(field, "shear")
   within(shear, 0.3003 * exact.p_max, 0.02, body .. ": largest in-plane shear [MPa]")
-  figures.about(below_surface / exact.half_width, 0.786, 0.13, body .. ": its depth / a, to half an element")
+  figures.about(below_surface / exact.half_width, 0.786, 0.13,
+    body .. ": depth of the largest shear / a, to half an element")
 end

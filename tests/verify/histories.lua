@@ -1,5 +1,7 @@
--- Tests histories against exact results: k and alpha over the distance by the product k_c d (flat plate),
--- volumes by the integral of k L, and equivalent inputs by identical bits.
+-- Tests histories against exact results: varying k and alpha on a plate that stays flat, which depend only on
+-- k_c d (the cylinder's coefficient times the distance), volumes by the integral of k times load, and
+-- equivalent inputs by identical bits.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, about, below, ok = figures.within, figures.about, figures.below, figures.ok
@@ -26,7 +28,7 @@ local function same_bits(a, b, what)
     same = same and #left == #right
     for i, h in ipairs(left) do same = same and h == right[i] end
   end
-  return ok(same, what .. ": the same bits")
+  return ok(same, what .. ": identical bits")
 end
 
 -- --- k in time --------------------------------------------------------------------------------------
@@ -51,11 +53,11 @@ for _, jump in ipairs{ 200, 100, 50 } do
   local v1 = 1e-3
   local w = wear{ jump = jump, k = function(s) return 1e-8 * (1 - s.volume.total / v1) end, scheme = "implicit" }:run()
   local off = math.abs(w.volume.total / (v1 * (1 - math.exp(-1e-8 * 100 * 1320 / v1))) - 1)
-  below(off, 1e-6, ("k that falls with the volume, jump = %d: volume off by"):format(jump))
+  below(off, 1e-6, ("k that decreases with the volume, jump = %d: error of the volume"):format(jump))
 end
 
 -- Tests coefficients with steps, running-in and dependence on the cycle. The volume is the integral of k
--- times the load, with given or automatic updates, and no update uses the pressure of another shape.
+-- times the load, with given or automatic updates, and the pressure never exceeds the unworn pressure.
 local function steep(below_d, above_d, at)
   return { distance = { 0, at - 0.001, at + 0.001, 1320 }, value = { below_d, below_d, above_d, above_d } }
 end
@@ -64,15 +66,17 @@ local function switched_k(below_d, above_d, at)
 end
 local histories_of_k = { -- each row: name, k, its integral [mm3/N], tolerance, other fields
   { "0, then 1e-8 at 600 mm", switched_k(0, 1e-8, 600), 7.2e-6, 1e-6 },
-  { "the same by a table", steep(0, 1e-8, 600), 7.2e-6, 1e-9 },
-  { "the same by two values at 600 mm", { distance = { 0, 600, 600, 1320 }, value = { 0, 0, 1e-8, 1e-8 } }, 7.2e-6, 1e-9 },
-  { "small and large jumps in slopes", { distance = { 200, 200, 500, 500, 900, 900 },
+  { "0, then 1e-8 at 600 mm, by a table", steep(0, 1e-8, 600), 7.2e-6, 1e-9 },
+  { "0, then 1e-8, by two values at 600 mm",
+    { distance = { 0, 600, 600, 1320 }, value = { 0, 0, 1e-8, 1e-8 } }, 7.2e-6, 1e-9 },
+  { "of slopes with small and large steps", { distance = { 200, 200, 500, 500, 900, 900 },
     value = { 1e-8, 1.02e-8, 2e-8, 0, 1e-8, 0.95e-8 } }, 2e-6 + 4.53e-6 + 2e-6 + 3.99e-6, 1e-7 },
   { "1e-9, then 3e-8 at 333 mm", switched_k(1e-9, 3e-8, 333), 0.333e-6 + 29.61e-6, 1e-6 },
-  { "the same by a table", steep(1e-9, 3e-8, 333), 0.333e-6 + 29.61e-6, 1e-9 },
+  { "1e-9, then 3e-8 at 333 mm, by a table", steep(1e-9, 3e-8, 333), 0.333e-6 + 29.61e-6, 1e-9 },
   { "tenfold, running in over 5 mm", function(s) return 1e-8 * (1 + 9 * math.exp(-s.distance / 5)) end,
     1e-8 * (1320 + 45 * (1 - math.exp(-264))), 1e-6 },
-  { "of the cycle, updates at increments", function(s) return 1e-8 * (1 - s.cycle / 12000) end, 9.9e-6, 1e-6,
+  { "as a function of the cycle, updates at increments", function(s) return 1e-8 * (1 - s.cycle / 12000) end,
+    9.9e-6, 1e-6,
     { update = "increment", increments = 20 } },
 }
 for _, row in ipairs(histories_of_k) do
@@ -82,7 +86,8 @@ for _, row in ipairs(histories_of_k) do
     local run = wear(fields):run()
     local what = ("k %s, jump = %s"):format(row[1], jump)
     within(run.volume.total, 100 * row[3], row[4], what .. ": volume [mm3]")
-    below(math.max(table.unpack(run.history.p_max)) / p_h, 1.001, what .. ": largest pressure ever / p_H")
+    below(math.max(table.unpack(run.history.p_max)) / p_h, 1.001,
+      what .. ": largest pressure of the run / p_H")
   end
 end
 
@@ -93,11 +98,11 @@ end
 local switched = wear{ stroke = 20, jump = 0.1, alpha = function(s) return s.distance < 440 and 1 or 0.25 end,
   distance = 3960 }
 switched:run{ distance = 330 }
-check(switched, rows[2], "alpha switched, before")
+check(switched, rows[2], "alpha switched, before the switch")
 switched:run{ distance = 440 + (rows[3][1] - 4.4e-6) / 0.25e-8 }
-check(switched, rows[3], "alpha switched, after")
+check(switched, rows[3], "alpha switched, after the switch")
 switched:run()
-check(switched, rows[4], "alpha switched, later")
+check(switched, rows[4], "alpha switched, end of the run")
 within(switched.volume.cylinder, 1.32e-3, 1e-9, "alpha switched: volume of the cylinder [mm3]")
 within(switched.volume.plate, 0.75e-6 * 3520, 1e-9, "alpha switched: volume of the plate [mm3]")
 
@@ -107,10 +112,11 @@ local function step_at(s) return s.distance < 440 and 0.25 or 0.75 end
 local by_function = wear{ alpha = step_at, jump = 100 }:run()
 local by_set = wear{ alpha = 0.25, jump = 100 }:run{ distance = 440 }:set{ alpha = 0.75 }:run()
 same_bits(by_function, by_set, "alpha switched by a function and by set")
-within(by_set.volume.cylinder, 1e-6 * (0.25 * 440 + 0.75 * 880), 1e-9, "its volume of the cylinder [mm3]")
+within(by_set.volume.cylinder, 1e-6 * (0.25 * 440 + 0.75 * 880), 1e-9,
+  "alpha switched by set: volume of the cylinder [mm3]")
 local by_worn = wear{ alpha = 0.75, jump = 100, worn = wear{ alpha = 0.25, jump = 100 }:run{ distance = 440 }, distance = 880 }:run()
 ok(by_worn.p_center == by_set.p_center and by_worn.depth.plate == by_set.depth.plate,
-  "alpha switched by set and by a new run that starts worn: the same bits")
+  "alpha switched by set and by a run from the worn shape: identical bits")
 
 -- --- load and motion over the cycle -----------------------------------------------------------------
 
@@ -136,14 +142,15 @@ end
 for _, scheme in ipairs{ "explicit", "implicit" } do
   local w = wear{ loading = { x = triangle, load = saw, increments = 60 }, cycles = 2000, scheme = scheme }:run()
   within(w.volume.total, 1e-8 * 2000 * integral(w.loading[1]), 1e-9, "load over the cycle, " .. scheme .. ": volume [mm3]")
-  within(w.volume.cylinder, w.volume.total / 2, 1e-9, "its half, alpha = 0.5")
+  within(w.volume.cylinder, w.volume.total / 2, 1e-9,
+    "load over the cycle, alpha = 0.5: half of the volume [mm3]")
   -- the load is 100 + 60 in one direction and 100 - 60 in the other: the mirrored loading is the same history
   -- in reverse
   local mirrored = wear{ loading = { x = function(t) return -triangle(t) end, load = saw, increments = 60 },
     cycles = 2000, scheme = scheme }:run()
   local h, g, worst = w:profile("plate").h, mirrored:profile("plate").h, 0
   for i, depth in ipairs(h) do worst = math.max(worst, math.abs(depth - g[#g + 1 - i])) end
-  below(worst / w.depth.plate, 1e-9, "mirrored, " .. scheme .. ": profiles differ by")
+  below(worst / w.depth.plate, 1e-9, "mirrored loading, " .. scheme .. ": difference of the profiles")
 end
 
 -- Tests functions against the same functions sampled as lists, with and without times.
@@ -157,10 +164,10 @@ same_bits(by_functions, wear{ loading = { t = t, x = x, load = load }, cycles = 
 local lifted = wear{ alpha = 1, jump = 5, distance = 2640,
   loading = { x = triangle, load = function(at) return at < 0.5 and 100 or 0 end } }
 for _, row in ipairs(rows) do
-  -- Eq. (4) uses the mean over the increment in which the load vanishes, half of the load, so the mean load
-  -- is 49.5 of 100 N/mm
+  -- By Eq. (4) an increment uses the mean of the loads at both ends. The load vanishes within one increment,
+  -- whose mean is half of the load, so the mean load of the cycle is 49.5 of 100 N/mm.
   lifted:run{ distance = row[1] / 1e-8 / 0.495 }
-  check(lifted, row, "lifted off during one direction")
+  check(lifted, row, "no load in one direction")
 end
 
 -- Tests that increments are adapted to the contact: two end points define a stroke, and a long stroke wears
@@ -171,10 +178,10 @@ within(three_points.depth.plate, stroke.depth.plate, 2e-3, "a stroke by its ends
 within(three_points.depth.cylinder, stroke.depth.cylinder, 2e-3, "a stroke by its ends: depth of the cylinder [mm]")
 within(three_points.p_center, stroke.p_center, 1e-2, "a stroke by its ends: centre pressure [MPa]")
 local long = wear{ stroke = 12, jump = "auto", geometry = "frozen" }:run()
--- in the middle the whole pressure profile passes over each node once in a stroke: depth = k_p L d / stroke
+-- in the middle the whole pressure profile passes over each node once per stroke: depth = k_p L d / stroke
 local scar = long:profile("plate").h
 within(scar[#scar // 2 + 1], 0.5e-8 * 100 * 1320 / 12, 2e-3, "a stroke of 12 mm: depth of the plate [mm]")
-within(long.depth.plate, 0.5e-8 * 100 * 1320 / 12, 5e-3, "largest depth of the plate [mm]")
+within(long.depth.plate, 0.5e-8 * 100 * 1320 / 12, 5e-3, "a stroke of 12 mm: largest depth of the plate [mm]")
 
 -- --- blocks of loading --------------------------------------------------------------------------------
 
@@ -187,13 +194,14 @@ local function blocks(loading, more)
   return wear(fields)
 end
 local both = blocks({ first, second }):run()
-same_bits(both, blocks({ first }):run():set{ loading = { second } }:run(), "two blocks, and set between them")
+same_bits(both, blocks({ first }):run():set{ loading = { second } }:run(),
+  "two blocks, and a w:set between them")
 local apart = blocks({ second }, { worn = blocks({ first }):run() }):run()
 ok(apart.depth.cylinder == both.depth.cylinder and apart.p_center == both.p_center,
-  "two blocks, and a second run that starts worn: the same bits")
+  "two blocks, and a run from the worn shape: identical bits")
 within(both.volume.total, 1e-8 * (1500 * integral(both.loading[1]) + 700 * integral(both.loading[2])), 1e-9,
   "two blocks: volume [mm3]")
-ok(both.cycle == 2200, "two blocks: cycles")
+ok(both.cycle == 2200, "two blocks: number of cycles")
 
 -- --- updates at every increment -----------------------------------------------------------------------
 
@@ -206,13 +214,16 @@ wave.periodic = false
 local generic = wear{ k = 1e-6, loading = wave, load = 100 }:run()
 local continuous = wear{ k = 1e-6, load = 100, loading = { x = triangle, load = saw, increments = 50, cycles = 20 },
   update = "increment", jump = 1 }:run()
-ok(generic.update == 1000 and continuous.update == 1000, "20 cycles of 50 increments: 1000 updates both ways")
-within(generic.volume.total, 1e-6 * 20 * integral(continuous.loading[1]), 1e-9, "one generic history: volume [mm3]")
-within(continuous.volume.total, generic.volume.total, 1e-6, "quasi-continuous: volume [mm3]")
+ok(generic.update == 1000 and continuous.update == 1000,
+  "20 cycles of 50 increments: 1000 updates in both runs")
+within(generic.volume.total, 1e-6 * 20 * integral(continuous.loading[1]), 1e-9,
+  "a loading that is not periodic: volume [mm3]")
+within(continuous.volume.total, generic.volume.total, 1e-6, "updates within the cycle: volume [mm3]")
 for _, body in ipairs{ "cylinder", "plate" } do
-  within(generic.depth[body], continuous.depth[body], 5e-4, "depth of the " .. body .. " [mm]")
+  within(generic.depth[body], continuous.depth[body], 5e-4,
+    "updates within the cycle: depth of the " .. body .. " [mm]")
 end
-within(generic.p_center, continuous.p_center, 2e-3, "centre pressure [MPa]")
+within(generic.p_center, continuous.p_center, 2e-3, "updates within the cycle: centre pressure [MPa]")
 
 -- --- local factors --------------------------------------------------------------------------------------
 
@@ -225,12 +236,16 @@ local function law_and_factor(alpha)
   return law, factor
 end
 local law, factor = law_and_factor(1)
-within(factor.depth.cylinder, law.depth.cylinder, 1e-12, "a power law by its name and by a factor: depth [mm]")
+within(factor.depth.cylinder, law.depth.cylinder, 1e-12,
+  "a power law and the same local factor, alpha = 1: depth [mm]")
 law, factor = law_and_factor(0.5)
-within(factor.depth.cylinder, law.depth.cylinder, 3e-3, "with a worn plate: depth of the cylinder [mm]")
-within(law.volume.plate, law.volume.cylinder, 1e-12, "the law's volumes are as k_p to k_c (Eq. 15) [mm3]")
+within(factor.depth.cylinder, law.depth.cylinder, 3e-3,
+  "a power law and the same local factor, alpha = 0.5: depth of the cylinder [mm]")
+within(law.volume.plate, law.volume.cylinder, 1e-12,
+  "power law: volumes in the ratio of the coefficients, Eq. (15) [mm3]")
 -- Tests that a factor for each body equals a k for each body.
 local bodies_factor = wear{ alpha = 0.5, distance = 440,
   local_factor = function(body) return body == "plate" and 0.5 or 1.5 end }:run()
 local by_alpha = wear{ alpha = 0.75, distance = 440 }:run()
-within(bodies_factor.depth.plate, by_alpha.depth.plate, 1e-9, "factors of the bodies against alpha: depth [mm]")
+within(bodies_factor.depth.plate, by_alpha.depth.plate, 1e-9,
+  "local factors of the bodies against alpha: depth [mm]")

@@ -1,4 +1,5 @@
 -- Tests pins in bushes against Fourier series, worn bushes against the cosine law, and coatings in bushes.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local bush_law = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/bush.lua")
@@ -20,13 +21,13 @@ for _, row in ipairs{ { 0.05, 100, 8.60, 42.54, 6, 0.05 }, { 0.05, 1000, 24.87, 
   local of = ("pin in a bush, c = %g mm, %g N: "):format(clearance, load)
   within(solved.p_center, p0, 0.01, of .. "centre pressure [MPa]")
   below(math.abs(math.deg(solved.half_width / (10 + clearance / 2)) - angle), math.deg(size / 10),
-    of .. "semi-angle, off by less than an element [degrees]")
-  figures.ok(solved.normal_force > load, of .. "normal forces are more than the load")
+    of .. "error of the half angle, below an element [degrees]")
+  figures.ok(solved.normal_force > load, of .. "the normal force exceeds the load")
 end
--- Tests a cup over a pin, which is a pin in a bush turned upside down.
+-- Tests a cup over a pin, a pin in a bush turned upside down.
 local cup = contact{ load = 1000, model = { upper = body.ring{ inner = 10.025, outer = 20.025 },
   lower = body.disc{ radius = 9.975 }, mesh = { size = 0.1, height = 0.1, far = 1, zone = { cylinder = 14, plate = 14 } } } }
-within(cup.p_center, pin(0.05, 1000, 14, 0.1).p_center, 2e-3, "a cup over a pin: the same upside down")
+within(cup.p_center, pin(0.05, 1000, 14, 0.1).p_center, 2e-3, "a cup over a pin: pressure of a pin in a bush")
 
 -- --- worn ----------------------------------------------------------------------------------------
 
@@ -46,16 +47,18 @@ for _, goal in ipairs{ { 0.5, 0.09 }, { 1, 0.036 }, { 2, 0.014 } } do
   within(w.depth_plate, gap / math.cos(e) - gap, off + 0.005, of .. "depth by the cosine law [mm]")
   within(w.p_center, P / (R * (e + math.sin(e) * math.cos(e))), off + 0.005, of .. "pressure by the cosine law [MPa]")
   figures.ok(w.volume_cylinder == 0, of .. "the pin does not wear")
-  within(w.volume_plate, k * w.load_distance, 1e-12, of .. "V = k integral normal force ds [mm3]")
-  figures.ok(w.load_distance > 1.05 * P * w.distance, of .. "normal forces are more than the load")
+  within(w.volume_plate, k * w.load_distance, 1e-12, of ..
+    "V is k times the integral of the normal force over the distance [mm3]")
+  figures.ok(w.load_distance > 1.05 * P * w.distance, of .. "the normal force exceeds the load")
 end
 
--- Tests the cosine law on the default mesh too; the surfaces move, and their stiffness is condensed again
--- during the run.
+-- Tests the cosine law on the default mesh, too, with frozen geometry and with moving surfaces, whose
+-- stiffness is recomputed during the run.
 for _, geometry in ipairs{ "moving", "frozen" } do
   local w = wear{ model = { upper = body.disc{ radius = R - gap }, lower = body.ring{ inner = R, outer = 20, name = "bush" } },
     k_cylinder = 0, k_plate = k, load = P, slide = "z", jump = "auto", distance = R * gap / (k * P), geometry = geometry }:run()
-  below(bush_law.deviation(w, R, gap), 0.041, ("bush worn on its own mesh, %s: pressures off the cosine law"):format(geometry))
+  below(bush_law.deviation(w, R, gap), 0.041,
+    ("bush on the default mesh, %s geometry: deviation of the pressures from the cosine law"):format(geometry))
 end
 
 -- Tests wear of both bodies with moving surfaces and sliding in the plane or out of it: the same force wears
@@ -64,9 +67,9 @@ for _, way in ipairs{ { slide = "z", jump = "auto" }, { slide = "z", scheme = "i
   { slide = "x", scheme = "implicit", tolerance = 1e-3 } } do
   local w = wear{ model = bush, k = k, alpha = 0.3, load = P, stroke = 0.5, distance = 30, slide = way.slide, jump = way.jump,
     scheme = way.scheme, tolerance = way.tolerance }:run()
-  local of = ("bush and pin worn, slide %s, %s: V = k integral normal force ds "):format(way.slide, way.scheme or "explicit")
-  within(w.volume_cylinder, 0.3 * k * w.load_distance, 1e-12, of .. "of the pin [mm3]")
-  within(w.volume_plate, 0.7 * k * w.load_distance, 1e-12, of .. "of the bush [mm3]")
+  local of = ("bush and pin worn, slide %s, %s: volume by the integral of the normal force, "):format(way.slide, way.scheme or "explicit")
+  within(w.volume_cylinder, 0.3 * k * w.load_distance, 1e-12, of .. "pin [mm3]")
+  within(w.volume_plate, 0.7 * k * w.load_distance, 1e-12, of .. "bush [mm3]")
 end
 
 -- Tests coatings thinner than a hundredth of the wear box, of the same material as their base.
@@ -77,6 +80,7 @@ local function in_hole(coat, on_pin)
 end
 for _, coat in ipairs{ 2e-3, 1e-5 } do
   for _, on_pin in ipairs{ true, false } do
-    within(in_hole(coat, on_pin), in_hole(), 1e-3, ("coat of %g mm on the %s: pressure [MPa]"):format(coat, on_pin and "pin" or "bush"))
+    within(in_hole(coat, on_pin), in_hole(), 1e-3,
+      ("coating of %g mm on the %s: pressure without it [MPa]"):format(coat, on_pin and "pin" or "bush"))
   end
 end

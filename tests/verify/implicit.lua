@@ -1,5 +1,6 @@
 -- Tests implicit steps with a tolerance: depths and pressures at every update against explicit updates on the
 -- same mesh, the number of solutions, and the continuation of a stored run.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below, ok, within = figures.below, figures.ok, figures.within
@@ -66,10 +67,10 @@ end
 
 local function check(what, fields, jump, tolerance)
   local worst, w = compare(fields, jump, tolerance)
-  below(worst.depth, 0.6 * tolerance, what .. ": depth at any node, any update, off by")
-  below(worst.pressure, 10 * tolerance, what .. ": pressures in the mean at any update off by")
-  below(worst.p_max, 100 * tolerance, what .. ": largest pressure at any update off by")
-  below(worst.p_center, 2 * tolerance, what .. ": centre pressure at any update off by")
+  below(worst.depth, 0.6 * tolerance, what .. ": error of the depths over all nodes and updates")
+  below(worst.pressure, 10 * tolerance, what .. ": mean error of the pressures, largest over all updates")
+  below(worst.p_max, 100 * tolerance, what .. ": error of the largest pressure over all updates")
+  below(worst.p_center, 2 * tolerance, what .. ": error of the centre pressure over all updates")
   return w
 end
 
@@ -91,18 +92,19 @@ for _, case in ipairs(cases) do
   local um, stroke, alpha, jump, most, updates = table.unpack(case)
   local what = ("%g um, s = %g, alpha = %g"):format(um, stroke, alpha)
   local w = check(what, { model = mesh(um), geometry = "frozen", stroke = stroke, alpha = alpha }, jump, 1e-3)
-  below(w.solutions, most, what .. ": contact solutions")
-  below(w.update, updates + 1, what .. ": updates")
+  below(w.solutions, most, what .. ": number of contact solutions")
+  below(w.update, updates + 1, what .. ": number of updates")
   within(w.volume.total, 1.32e-3, 1e-9, what .. ": volume [mm3]")
   local off = figures.asymmetry(w:profile("cylinder").h)
   -- with one contact position for the whole stroke the symmetry is exact up to rounding
   local rests = stroke == 20
-  ok(off == 0 or rests and off < 1e-9, ("%s: asymmetry %.2g, to the bit where the contact moves"):format(what, off))
+  ok(off == 0 or rests and off < 1e-9, ("%s: asymmetry %.2g, zero if the contact moves"):format(what, off))
 end
 
 -- --- a soft cylinder, moving nodes, a smaller tolerance ----------------------------------------------
 
-check("soft cylinder, moving", { model = { radius = 5, cylinder = { E = 3e3, nu = 0.35 } }, load = 8, stroke = 0.3,
+check("soft cylinder, moving geometry",
+  { model = { radius = 5, cylinder = { E = 3e3, nu = 0.35 } }, load = 8, stroke = 0.3,
   alpha = 0.8, k = 3e-7, distance = 400 }, 2, 1e-3)
 check("tolerance 2e-4", { model = mesh(20), geometry = "frozen", stroke = 0.22, alpha = 0.5 }, 2.5, 2e-4)
 
@@ -116,7 +118,8 @@ for _ = 1, 8 do half:step() end
 half:save(file)
 local again = wear.open(file):run{ progress = false }
 os.remove(file)
-ok(again.p_max == whole.p_max and again.update == whole.update, "a stored run: the same pressures and steps")
+ok(again.p_max == whole.p_max and again.update == whole.update,
+  "a stored run has the same pressures and number of updates")
 local same = true
 for i, h in ipairs(whole:profile("plate").h) do same = same and h == again:profile("plate").h[i] end
-ok(same, "a stored run: the same depths, to the bit")
+ok(same, "a stored run has the same depths to the bit")

@@ -1,5 +1,6 @@
 -- Tests a ball in a socket against an independent computation, closed forms, and converged results of
 -- archard.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within = figures.within
@@ -38,17 +39,20 @@ pressures(joint{ head = { radius = 25, material = bone, layers = { { thickness =
   mesh = { size = 1 } }, "resurfacing", "p_max", { 17.779, 15.095, 16.365 }, 3e-3)
 local hertz = joint{ head = { radius = 25, material = cocr }, cup = { clearance = 0.5, layers = { { thickness = 2475, material = cocr } } },
   mesh = { size = 0.5 } }
-within(contact{ model = hertz, load = 3200 }.p_center, 186.73, 3e-3, "a head in a block: 1 % over Hertz")
+within(contact{ model = hertz, load = 3200 }.p_center, 186.73, 3e-3,
+  "a head in a block: centre pressure, 1 % above Hertz theory [MPa]")
 
 -- --- wear of head and cup: depths in um, volumes in mm3 ----------------------------------------------
 local function run(j, loading, k, alpha, cycles)
   return wear{ model = j, loading = loading, k = k, alpha = alpha, cycles = cycles }:run()
 end
 local function both(w, name, cup, head, volume, share)
-  if cup > 0 then within(1000 * w.depth.cup, cup, math.min(share, 6e-3), name .. ": cup") end
-  if head > 0 then within(1000 * w.depth.head, head, share, name .. ": head") end
-  within(w.volume.total, volume, 3e-3, name .. ": volume")
-  within(w.volume.total + w.volume.head, (1 + w.alpha) * w.volume.total, 1e-12, name .. ": the head's share")
+  if cup > 0 then within(1000 * w.depth.cup, cup, math.min(share, 6e-3),
+    name .. ": depth of the cup [um]") end
+  if head > 0 then within(1000 * w.depth.head, head, share, name .. ": depth of the head [um]") end
+  within(w.volume.total, volume, 3e-3, name .. ": volume [mm3]")
+  within(w.volume.total + w.volume.head, (1 + w.alpha) * w.volume.total, 1e-12,
+    name .. ": volume of the head, alpha times the total [mm3]")
 end
 local partition = { [0] = { 9.24, 0, 0.8696 }, [0.25] = { 7.32, 1.79, 0.8674 }, [0.5] = { 5.29, 3.58, 0.8646 },
   [0.75] = { 3.01, 5.57, 0.8609 }, [1] = { 0, 7.95, 0.8555 } }
@@ -63,9 +67,10 @@ both(run(liner(3, "winkler"), gait "iso", 1e-9, 0, 5e6), "springs, walk of 5e6 c
 both(run(liner(3, "winkler", 30), gait "iso", 1e-9, 0, 5e6), "cup inclined by 30 degrees", 359.7, 0, 169.17, 5e-3)
 
 -- --- k that increases with cross-shear ---------------------------------------------------------------
--- The engine computes k from the cross-shear of the previous update (1e-9 in the first update). The volume is
--- then 1 % larger than with k of the present surfaces; with 80 updates it differs by 0.04 % only. The engine
--- calls k for the cells in a fixed order, so that the test can store the previous values by counting calls.
+
+-- The reference computes k from the cross-shear of the previous update (1e-9 in the first update); the volume
+-- is then 1 % larger than with the present cross-shear. The test does the same: because the engine calls k
+-- for the cells in a fixed order, the previous values are stored by counting the calls.
 local function sheared(s) return 1e-9 * math.min(0.2 + 3.2 * s.cross_shear, 1) end
 local function delayed()
   local before, cell, cells = {}, 0, 2 * 60 * 60
@@ -80,25 +85,27 @@ local function shear_run(name, k, updates)
   return wear{ model = liner(3, "winkler"), loading = gait(name), k = k, alpha = 0, cycles = 1e6, updates = updates }:run()
 end
 local late, late_prosim = shear_run("iso", delayed(), 20), shear_run("prosim", delayed(), 20)
-within(1000 * late.depth.cup, 66.2, 1e-3, "cross-shear of the update before: depth")
-within(late.volume.cup, 16.70, 1e-3, "cross-shear of the update before: volume")
-within(1000 * late_prosim.depth.cup, 56.1, 1e-3, "the same, prosim: depth")
-within(late_prosim.volume.cup, 15.27, 1e-3, "the same, prosim: volume")
+within(1000 * late.depth.cup, 66.2, 1e-3, "cross-shear of the previous update, ISO gait: depth [um]")
+within(late.volume.cup, 16.70, 1e-3, "cross-shear of the previous update, ISO gait: volume [mm3]")
+within(1000 * late_prosim.depth.cup, 56.1, 1e-3, "cross-shear of the previous update, prosim: depth [um]")
+within(late_prosim.volume.cup, 15.27, 1e-3, "cross-shear of the previous update, prosim: volume [mm3]")
 local present = shear_run("iso", sheared)
-within(1000 * present.depth.cup, 65.788, 1e-3, "cross-shear of the present surfaces: depth of 80 updates")
-within(present.volume.cup, 16.523, 2e-3, "and volume")
+within(1000 * present.depth.cup, 65.788, 1e-3, "cross-shear of the present surfaces: depth [um]")
+within(present.volume.cup, 16.523, 2e-3, "cross-shear of the present surfaces: volume [mm3]")
 
 -- --- closed forms, Hertz, rocking, creep -------------------------------------------------------------
 local open = joint{ head = { radius = 25, material = cocr }, cup = { clearance = 5, layers = { { thickness = 2475, material = cocr } } },
   mesh = { size = 0.25 } }
-within(contact{ model = open, load = 100 }.p_center, 270.51, 3e-3, "a small contact: Hertz 270.44")
+within(contact{ model = open, load = 100 }.p_center, 270.51, 3e-3,
+  "a small contact: centre pressure, Hertz 270.44 MPa")
 local cap = contact{ model = liner(2, "winkler"), load = 3000 }
-within(cap.normal_force / 3000, 1.139244, 1e-3, "springs: integral of p over the load")
+within(cap.normal_force / 3000, 1.139244, 1e-3, "springs: integral of p divided by the load")
 within(cap.approach[3], 0.1578969, 1e-3, "springs: displacement")
 for load, share in pairs{ [3000] = 1.071420, [2000] = 1.058704 } do
   local w = wear{ model = liner(2, "winkler"), loading = gait.flexion{ angle = 21.5, load = load }, k = 1e-12, alpha = 0, cycles = 1,
     updates = 1 }:run{ progress = false }
-  within(w.volume.cup / (1e-12 * load * 14 * 4 * math.rad(21.5)), share, 1e-3, ("flexion, %d N: V over k F R twice the range"):format(load))
+  within(w.volume.cup / (1e-12 * load * 14 * 4 * math.rad(21.5)), share, 1e-3,
+    ("flexion, %d N: V divided by k F R times twice the range"):format(load))
 end
 local rocks = gait.rocking{ increments = 60 }
 for _, row in ipairs{ { nil, 2.5e5, 70.18, 18.869, 6.216 }, { nil, 1e6, 198.43, 80.219, 4.536 },
@@ -106,12 +113,12 @@ for _, row in ipairs{ { nil, 2.5e5, 70.18, 18.869, 6.216 }, { nil, 1e6, 198.43, 
   local j = liner(row[1] and 2 or 4, row[1])
   local w = wear{ model = j, loading = rocks, k = 1e-9, alpha = 0, cycles = row[2] }:run{ progress = false }
   local name = ("rocking, %s, %g cycles"):format(row[1] or "elastic", row[2])
-  within(1000 * w.depth.cup, row[3], 4e-3, name .. ": depth")
-  within(w.volume.cup, row[4], 1e-3, name .. ": volume")
-  within(figures.in_the_middle(w:map "pressure"), row[5], 0.012, name .. ": pressure in the middle")
+  within(1000 * w.depth.cup, row[3], 4e-3, name .. ": depth [um]")
+  within(w.volume.cup, row[4], 1e-3, name .. ": volume [mm3]")
+  within(figures.in_the_middle(w:map "pressure"), row[5], 0.012, name .. ": pressure at the centre [MPa]")
 end
 local crept = wear{ model = liner(3, "winkler"), k = 1e-9, alpha = 0, cycles = 1e6, updates = 40,
   creep = function(s) return s.thickness * math.max(0, 3.491e-3 + 7.966e-4 * (math.log(s.cycle / 60, 10) - 4)) * s.p_mean end }
 crept:run{ progress = false }
-within(1000 * crept.depth.cup, 85.1, 0.02, "creep: depth of wear")
-within(crept.volume.cup, 32.95, 0.02, "creep: volume")
+within(1000 * crept.depth.cup, 85.1, 0.02, "creep: depth of wear [um]")
+within(crept.volume.cup, 32.95, 0.02, "creep: volume of wear [mm3]")

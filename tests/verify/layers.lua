@@ -1,6 +1,6 @@
--- Tests scars in soft layers on the default mesh against another program: finite elements remeshed during wear
--- with an exact interface, whose errors are below 0.1 %. The case is a steel cylinder with R = 10 mm and E =
--- 200 GPa under 200 N/mm on a plate of 210 GPa, stroke 0.02 mm.
+-- Tests scars in soft layers on the default mesh against another program, which remeshes its finite elements
+-- during wear, treats the interface exactly and has errors below 0.1 %. The case is a steel cylinder with R =
+-- 10 mm and E = 200 GPa under 200 N/mm on a plate of 210 GPa, with a stroke of 0.02 mm.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within = figures.within
 

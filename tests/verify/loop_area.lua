@@ -1,7 +1,7 @@
--- Tests the area of a fretting loop in gross slip against the energy of shear times slip. A surface under the
--- pressure p is strained by (1 + nu)(1 - 2 nu) p / E, so the sliding distance measured along it is longer.
--- Linear elasticity, and thus the slip, uses the unloaded length. The mean pressure weighted with Hertz'
--- pressure is 8 / (3 pi) p_max, for any mesh and friction.
+-- Tests the area of a fretting loop in gross slip, which is larger than the energy (shear times slip). A
+-- surface under the pressure p is strained by (1 + nu)(1 - 2 nu) p / E, so the plate moves farther than the
+-- slip, which linear elasticity measures on the unloaded length. The mean strain follows from the mean of
+-- Hertz' pressure weighted with itself, 8 / (3 pi) p_max, for any mesh and friction.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 
 local function area_of(loop)
@@ -18,5 +18,6 @@ for _, case in ipairs{ { load = 25, mu = 0.6 }, { load = 100, mu = 0.6 }, { load
   local loop = wear{ model = { mesh = { fineness = 1 } }, load = case.load, friction = case.mu, stroke = stroke, increments = 3200 }:loop()
   local strain = 1.3 * 0.4 / 200e3 * 8 / (3 * math.pi) * pair.p_max
   local label = ("%g N, friction %g: "):format(case.load, case.mu)
-  figures.within(area_of(loop) - loop.energy, strain * loop.energy, 0.1, label .. "what the loop's area is larger [N mm]")
+  figures.within(area_of(loop) - loop.energy, strain * loop.energy, 0.1, label ..
+    "difference of the loop's area and the energy [N mm]")
 end

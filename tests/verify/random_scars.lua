@@ -1,6 +1,7 @@
 -- Tests random pairs worn with implicit steps until the scar has 1.2 to 12 unworn half widths: depths at four
 -- distances against runs with a tenth of the tolerance.
 --   ARCHARD_RUNS=300 tests/run verify/random_scars   more runs
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 warn "@off"
@@ -45,7 +46,8 @@ while runs < (tonumber(os.getenv "ARCHARD_RUNS") or 12) do
   elseif flat then
     refused = refused + 1
     local why = tostring(list)
-    figures.ok(why:find("no larger mesh fits", 1, true) or why:find("the largest number that fits", 1, true), "refused: scars wider than the bodies alone")
+    figures.ok(why:find("no larger mesh fits", 1, true) or why:find("the largest number that fits", 1, true),
+      "a run is refused only if its scar is wider than the bodies")
   end
 end
 -- Tests the reference pair, worn to a scar of ten half widths on automatically enlarged meshes.
@@ -54,14 +56,15 @@ local list, updates = depths(wide, 1e-3)
 for i, depth in ipairs((depths(wide, 1e-4))) do
   figures.within(list[i], depth, 5e-4, ("reference pair, k = 1e-5: depth %d [mm]"):format(i))
 end
-figures.below(updates, 100, "reference pair, k = 1e-5: updates")
+figures.below(updates, 100, "reference pair, k = 1e-5: number of updates")
 
--- Tests a stroke of one element: long steps converge only with a Jacobian for each part of the stroke.
+-- Tests a stroke of one element: long steps of the implicit scheme converge only if each part of the stroke
+-- has its own Jacobian.
 local _, short = depths({ model = { radius = 42.317, cylinder = { E = 372e3 }, plate = { E = 18114 } }, load = 34.81, stroke = 0.05842,
   alpha = 0.61729, distance = 1320, k = 3.5677e-6, scheme = "implicit" }, 1e-3)
-figures.below(short, 60, "a stroke of one element: updates")
+figures.below(short, 60, "a stroke of one element: number of updates")
 
-figures.below(worst, 1e-3, ("depths of %d runs at four distances, off by at most"):format(runs))
-figures.below(most, 100, "their most updates")
-figures.below(refused, 0.1 * runs, "runs refused, as the scar is wider than the bodies")
+figures.below(worst, 1e-3, ("largest error of the depths of %d runs at four distances"):format(runs))
+figures.below(most, 100, "largest number of updates of a random run")
+figures.below(refused, 0.1 * runs, "number of runs refused because the scar is wider than the bodies")
 print(("# the longest took %.1f s"):format(longest))

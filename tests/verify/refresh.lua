@@ -1,5 +1,6 @@
--- Tests moving geometry with occasional condensation of the wear box against condensation at every update.
--- All updates and nodes are compared.
+-- Tests moving geometry whose stiffness is recomputed only occasionally (condensation of the wear box)
+-- against recomputation at every update. All updates and nodes are compared.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below = figures.below
@@ -39,11 +40,11 @@ end
 
 local function check(what, definition, size)
   local any, inside, depth = compare(definition, size)
-  below(any, 5e-4, what .. ": pressure at any node, share of p_center")
-  below(inside, 1e-4, what .. ": the same inside the contact's edges")
-  -- the coupling uses slightly different positions of the nodes; the worn areas are exact, so the depths
-  -- differ slightly
-  below(depth, 5e-5, what .. ": depth, relative")
+  below(any, 5e-4, what .. ": error of the pressure at any node, fraction of p_center")
+  below(inside, 1e-4, what .. ": error of the pressure inside the contact's edges, fraction of p_center")
+  -- the two runs couple the bodies at slightly different node positions, so the depths differ slightly
+  -- although the worn areas are exact
+  below(depth, 5e-5, what .. ": relative error of the depth")
 end
 
 local usual = model{}
@@ -53,10 +54,12 @@ for _, case in ipairs{ { 0.5, 0.11 }, { 0, 0.22 }, { 0.75, 0.44 }, { 1, 0.11 } }
     jump = 11 / stroke, distance = 1320 }, 0.02)
 end
 check("10 um", { model = { mesh = { size = 0.01, height = 0.0125 } }, jump = 50, distance = 660 }, 0.01)
-check("a soft plate, 8 um deep", { model = { plate = { E = 2e3, nu = 0.4 }, mesh = { size = 0.02, height = 0.025, far = 1, zone = { cylinder = 2.4, plate = 2.8 } } },
+check("a soft plate, worn 8 um deep",
+  { model = { plate = { E = 2e3, nu = 0.4 },
+    mesh = { size = 0.02, height = 0.025, far = 1, zone = { cylinder = 2.4, plate = 2.8 } } },
   load = 20, k = 1e-6, jump = 15, distance = 330, alpha = 0 }, 0.02)
 
--- Tests that a run stored between two condensations continues with identical bits.
+-- Tests that a run stored between two recomputations of the stiffness continues with identical bits.
 local w = wear{ model = usual }
 w:run{ distance = 500, progress = false }
 local file = os.tmpname()

@@ -1,5 +1,6 @@
 -- Tests a worn surface that is transferred to another mesh: the pressures equal those of a run on that mesh,
 -- and the worn areas are unchanged.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, ok = figures.within, figures.below, figures.ok
@@ -52,11 +53,12 @@ for _, case in ipairs{ {}, { alpha = 0.25, stroke = 0.22 }, { alpha = 1 }, { alp
   local coarse = run(case, 0.02)
   local name = ("alpha = %g, stroke = %g"):format(coarse.alpha, coarse.stroke)
   local like = contact{ worn = coarse, model = model{ mesh = mesh(0.02) } }
-  below(apart(like, coarse, 0.4), 1e-4, name .. ", a like model: pressures differ by")
+  below(apart(like, coarse, 0.4), 1e-4, name .. ", an equal model: difference of the pressures")
   local fine = run(case, 0.01)
   local on_fine = contact{ worn = coarse, model = fine.model }
   within(on_fine.p_center, fine.p_center, 0.01, name .. ", from 20 to 10 um: centre pressure [MPa]")
-  below(apart(on_fine, fine, 0.7 * fine.half_width), 0.03, name .. ", from 20 to 10 um: pressures in the inner 0.7 differ by")
+  below(apart(on_fine, fine, 0.7 * fine.half_width), 0.03, name ..
+    ", from 20 to 10 um: difference of the pressures in the inner 0.7")
   within(contact{ worn = coarse, model = { mesh = mesh(0.005) } }.p_center, fine.p_center, 0.01,
     name .. ", from 20 to 5 um: centre pressure [MPa]")
   within(contact{ worn = fine, model = coarse.model }.p_center, coarse.p_center, 0.02,
@@ -67,8 +69,9 @@ for _, case in ipairs{ {}, { alpha = 0.25, stroke = 0.22 }, { alpha = 1 }, { alp
       local before = lost(coarse, body)
       local after, least = lost(taken, body)
       ok(math.abs(after - before) <= 1e-12 * (before + 1e-3),
-        ("%s, %s: area lost by the %s %.9g, taken over %.9g mm2"):format(name, geometry, body, before, after))
-      ok(least >= 0, ("%s, %s: no depth of the %s below zero"):format(name, geometry, body))
+        ("%s, %s: area lost by the %s %.9g, after the transfer %.9g mm2"):format(name, geometry, body,
+          before, after))
+      ok(least >= 0, ("%s, %s: no negative depth of the %s"):format(name, geometry, body))
     end
   end
 end
@@ -101,13 +104,13 @@ for _, size in ipairs{ 0.02, 0.01, 0.005 } do
     within(by_points.p_center, by_function.p_center, 0.01, what .. "centre pressure [MPa]")
     local p, q, largest = by_points:pressure(), by_function:pressure(), 0
     for i in ipairs(p.p) do largest = math.max(largest, math.abs(p.p[i] - q.p[i])) end
-    below(largest / q.p[#q.p // 2 + 1], 0.02, what .. "pressures differ by")
+    below(largest / q.p[#q.p // 2 + 1], 0.02, what .. "difference of the pressures")
     for _, geometry in ipairs{ "moving", "frozen" } do
       local t = wear{ model = m, worn = { [body] = given }, k = 1e-12, geometry = geometry }:profile(body)
       local least = math.huge
       for _, h in ipairs(t.h) do least = math.min(least, h) end
       within(area(t), area(given), 1e-12, what .. "area [mm2], " .. geometry)
-      ok(least >= 0, what .. "no depth below zero, " .. geometry)
+      ok(least >= 0, what .. "no negative depth, " .. geometry)
     end
   end
 end

@@ -17,16 +17,17 @@ local c = contact{ model = revolved, load = 50 }
 within(c.p_center, ball.p_max, 0.003, "ball: centre pressure [MPa]")
 within(c.p_center, 1051.34, 0.003, "ball: centre pressure, finite bodies [MPa]")
 within(c.approach, ball.approach, 0.01, "ball: approach [mm]")
-below(math.abs(c.half_width - ball.half_width), 0.01, "ball: radius of the contact, off by less than an element [mm]")
-within(c.normal_force, 50, 1e-12, "ball: pressure over the area is the load [N]")
+below(math.abs(c.half_width - ball.half_width), 0.01,
+  "ball: error of the contact radius, below an element [mm]")
+within(c.normal_force, 50, 1e-12, "ball: the integral of the pressure is the load [N]")
 local p, off = c:pressure("cylinder"), 0
 for i, x in ipairs(p.x) do
   if math.abs(x) < 0.9 * ball.half_width then
     off = math.max(off, math.abs(p.p[i] / (ball.p_max * math.sqrt(1 - (x / ball.half_width) ^ 2)) - 1))
   end
 end
-below(off, 0.006, "ball: pressures over nine tenths of the contact, largest share off")
-below(figures.asymmetry(p.p), 1e-9, "ball: both halves of the section alike")
+below(off, 0.006, "ball: largest relative error of the pressures over nine tenths of the contact")
+below(figures.asymmetry(p.p), 1e-9, "ball: asymmetry of the section")
 
 -- By Hertz' theory, the largest shear stress is 0.31002 p0 at the depth 0.4809 a on the axis. Outside the
 -- contact the radial stress of the surface is tensile and the hoop stress compressive, both with the value (1 -
@@ -43,9 +44,9 @@ for i, x in ipairs(field.x) do
   end
 end
 within(shear, 0.31002 * ball.p_max, 0.01, "ball: largest shear [MPa]")
-within(deepest, 0.4809 * ball.half_width, 0.1, "ball: its depth [mm]")
-below(along, 0.05, "ball: radial stress of the surface outside, largest share off")
-below(around, 0.05, "ball: hoop stress there, largest share off")
+within(deepest, 0.4809 * ball.half_width, 0.1, "ball: depth of the largest shear [mm]")
+below(along, 0.05, "ball: radial stress of the surface outside the contact, largest relative error")
+below(around, 0.05, "ball: hoop stress of the surface outside the contact, largest relative error")
 
 local soft = { E = 3000, nu = 0.49 }
 local rubber = contact{ load = 5, model = { geometry = "axisymmetric", cylinder = soft, plate = soft, mesh = { fineness = 2 } } }
@@ -54,16 +55,17 @@ within(rubber.p_center, hertz{ geometry = "axisymmetric", load = 5, cylinder = s
 
 -- Tests thin plates, whose modulus is E instead of E / (1 - nu^2).
 local thin = hertz{ geometry = "plane stress", load = 50 }
-within(thin.E_star, 100e3, 1e-12, "plane stress: modulus of like bodies is E / 2 [MPa]")
+within(thin.E_star, 100e3, 1e-12, "plane stress: modulus of equal bodies is E / 2 [MPa]")
 local plate = contact{ model = { geometry = "plane stress" }, load = 50 }
 within(plate.p_center, thin.p_max, 0.003, "plane stress: centre pressure [MPa]")
 local sheet = plate:stress().plate
-for i = 1, #sheet.szz do if sheet.szz[i] ~= 0 then ok(false, "plane stress: none out of the plane") break end end
+for i = 1, #sheet.szz do if sheet.szz[i] ~= 0 then ok(false, "plane stress: szz is zero") break end end
 
 -- Tests a large ring against a straight line contact under P divided by the ring's circumference.
 local line = hertz{ load = 100 }
 local ring = contact{ load = 100 * 2 * pi * 400, model = { geometry = "axisymmetric", axis = 400 } }
-within(ring.p_center, line.p_max, 0.003, "ring of radius 400: centre pressure of the straight line [MPa]")
+within(ring.p_center, line.p_max, 0.003,
+  "ring of radius 400 mm: centre pressure of a straight line contact [MPa]")
 
 -- Tests the same shapes from a Gmsh file, with the axis inside and beside the body.
 local function through_gmsh(m, fields)
@@ -83,9 +85,10 @@ local function worn(m)
   return wear{ model = m, load = 50, slide = "z", alpha = 1, track = 20, k = 1e-8, cycles = 20, jump = "auto", geometry = "frozen" }:run()
 end
 local ours, theirs = worn(revolved), worn(given)
-within(theirs.p_center, ours.p_center, 1e-3, "pin on disc from Gmsh: centre pressure, worn [MPa]")
+within(theirs.p_center, ours.p_center, 1e-3, "pin on disc from Gmsh: centre pressure after wear [MPa]")
 within(theirs.depth_cylinder, ours.depth_cylinder, 1e-4, "pin on disc from Gmsh: depth [mm]")
-within(theirs.volume_cylinder, 1e-8 * theirs.load_distance, 1e-12, "pin on disc from Gmsh: V = k integral normal force ds [mm3]")
+within(theirs.volume_cylinder, 1e-8 * theirs.load_distance, 1e-12,
+  "pin on disc from Gmsh: volume by the integral of the normal force [mm3]")
 
 -- --- a pin on a disc ----------------------------------------------------------------------------
 
@@ -110,17 +113,22 @@ local function with(changes)
 end
 local w = with{ alpha = 1 }:run()
 within(w.distance, turns * 2 * pi * track, 1e-12, "pin on disc: a cycle is a revolution [mm]")
-within(w.volume_cylinder, k * w.load_distance, 1e-12, "pin on disc: V = k integral normal force ds [mm3]")
+within(w.volume_cylinder, k * w.load_distance, 1e-12,
+  "pin on disc: volume by the integral of the normal force [mm3]")
 within(w.load_distance, 50 * w.distance, 1e-12, "pin on disc: the normal force is the load")
-within(w.depth_cylinder, cap_of(w.volume_cylinder, 10), 0.01, "pin on disc: depth by the cap law [mm]")
+within(w.depth_cylinder, cap_of(w.volume_cylinder, 10), 0.01,
+  "pin on disc: depth of a cap with the worn volume [mm]")
 ok(w.depth_plate == 0 and w.volume_plate == 0, "pin on disc, alpha = 1: the disc does not wear")
 local both = with{ alpha = 0.25 }:run()
-within(both.volume_plate, 0.75 * k * both.load_distance, 1e-12, "pin on disc that wears: its volume [mm3]")
-within(both.volume_cylinder, 0.25 * k * both.load_distance, 1e-12, "pin on disc that wears: the pin's [mm3]")
-within(both.depth_plate, both.volume_plate / (2 * pi * track * 2 * both.half_width), 1e-12, "pin on disc: mean depth over the track [mm]")
+within(both.volume_plate, 0.75 * k * both.load_distance, 1e-12,
+  "pin on a disc that wears: volume of the disc [mm3]")
+within(both.volume_cylinder, 0.25 * k * both.load_distance, 1e-12,
+  "pin on a disc that wears: volume of the pin [mm3]")
+within(both.depth_plate, both.volume_plate / (2 * pi * track * 2 * both.half_width), 1e-12,
+  "pin on a disc that wears: mean depth over the track [mm]")
 local flat = 0
 for _, h in ipairs(both:profile("plate").h) do flat = math.max(flat, math.abs(h)) end
-ok(flat == 0, "pin on disc: the disc stays flat")
+ok(flat == 0, "pin on a disc that wears: the disc stays flat")
 
 -- Tests that a run stored halfway continues with identical bits.
 local file = os.tmpname() .. ".wear"
@@ -130,29 +138,32 @@ local again = wear.open(file):run{ distance = both.distance }
 half:run{ distance = both.distance }
 os.remove(file)
 local function hexes(run) return ("%a %a %a %a %a"):format(run.p_center, run.half_width, run.depth_cylinder, run.volume_plate, run.depth_plate) end
-ok(hexes(half) == hexes(again), "pin on disc: stored and opened again, the same bits")
+ok(hexes(half) == hexes(again), "pin on disc: a run opened from a file continues with identical bits")
 
 -- --- spin ---------------------------------------------------------------------------------------
 
--- Tests torsion after much wear against p = P / (2 pi c r) with c^3 = 3 k P R phi / (2 pi). The pressure is
--- unbounded on the axis.
+-- Tests a spinning ball after much wear against p = P / (2 pi c r) with the contact radius c, c^3 = 3 k P R
+-- phi / (2 pi), where phi is the angle of rotation. The pressure is unbounded on the axis.
 local angle = 3e4
 local spin = { model = { geometry = "axisymmetric", mesh = { size = 0.04, height = 0.04, rows = 4, zone = { cylinder = 2.8, plate = 2.8 } } },
   load = 50, slide = "z", alpha = 0.3, k = k, spin = 1, distance = 100, jump = "auto" }
 local begun = wear(spin):run()
-within(begun.volume_cylinder, 0.3 * k * begun.load_distance, 1e-12, "spin: V = k integral p r dA dphi of the ball [mm3]")
-within(begun.volume_plate, 0.7 * k * begun.load_distance, 1e-12, "spin: of the plate [mm3]")
+within(begun.volume_cylinder, 0.3 * k * begun.load_distance, 1e-12,
+  "spin: volume of the ball by the integral of p r dA dphi [mm3]")
+within(begun.volume_plate, 0.7 * k * begun.load_distance, 1e-12,
+  "spin: volume of the plate by the integral of p r dA dphi [mm3]")
 spin.distance, spin.scheme, spin.tolerance, spin.jump = angle, "implicit", 3e-3, nil
 local spun = wear(spin):run()
 local c3 = (3 * k * 50 * 10 * angle / (2 * pi)) ^ (1 / 3)
-within(spun.volume_cylinder, 0.3 * k * spun.load_distance, 1e-12, "spin, implicit: of the ball [mm3]")
-within(spun.volume_plate, 0.7 * k * spun.load_distance, 1e-6, "spin, implicit: of the plate, as far as iterations go [mm3]")
+within(spun.volume_cylinder, 0.3 * k * spun.load_distance, 1e-12, "spin, implicit: volume of the ball [mm3]")
+within(spun.volume_plate, 0.7 * k * spun.load_distance, 1e-6,
+  "spin, implicit: volume of the plate, within the tolerance of the iteration [mm3]")
 within(spun.half_width, c3, 0.05, "spin: radius of the contact [mm]")
 local ps, worst = spun:pressure("cylinder"), 0
 for i, x in ipairs(ps.x) do
   if x > 0.3 * c3 and x < 0.8 * c3 then worst = math.max(worst, math.abs(ps.p[i] * 2 * pi * c3 * x / 50 - 1)) end
 end
-below(worst, 0.05, "spin: pressures by P / (2 pi c r), largest share off")
+below(worst, 0.05, "spin: largest relative error of the pressures against P / (2 pi c r)")
 
 -- Tests thrust rings: a spinning ring wears more at its outer edge, and a ring with equal sliding distance at
 -- all points wears like a line contact.
@@ -161,6 +172,8 @@ local thrust = { model = { geometry = "axisymmetric", axis = 40, mesh = { finene
 local even = wear(thrust):run()
 thrust.spin = 40
 local turning = wear(thrust):run()
-within(even.volume_plate, 0.5e-7 * thrust.load * 400, 1e-12, "thrust ring: V = k L d [mm3]")
-within(turning.volume_plate, 0.5e-7 * turning.load_distance, 1e-12, "thrust ring that spins: V = k integral p r dA dphi [mm3]")
-within(turning.volume_plate, even.volume_plate, 0.01, "thrust ring: the stroke is that at its mean radius")
+within(even.volume_plate, 0.5e-7 * thrust.load * 400, 1e-12, "thrust ring: volume k L d [mm3]")
+within(turning.volume_plate, 0.5e-7 * turning.load_distance, 1e-12,
+  "spinning thrust ring: volume by the integral of p r dA dphi [mm3]")
+within(turning.volume_plate, even.volume_plate, 0.01,
+  "spinning thrust ring: volume with the stroke at the mean radius [mm3]")

@@ -1,5 +1,6 @@
 -- Tests partial slip on the default meshes, whose element sizes follow from the slip annuli: volume, energy
 -- and depth after 10000 cycles against twice the fineness.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within = figures.within
@@ -11,7 +12,7 @@ local function worn(case, fineness)
   return w:run{ progress = false }
 end
 
--- Returns an alternating force and a load that is out of phase by a quarter of a cycle.
+-- Returns a loading with an alternating force and a normal load that lags by a quarter of a cycle.
 local function under(swing)
   return { increments = 40, tangential = function(t) return 30 * math.sin(2 * math.pi * t) end,
     load = function(t) return 100 + swing * math.cos(2 * math.pi * t) end }

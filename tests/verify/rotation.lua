@@ -1,5 +1,6 @@
 -- Tests rotation as motion and loads at an angle in pairs with a hole: results that must not depend on
 -- rotation or angle, the cosine law of a bush that wears alone, and volumes.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local bush_law = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/bush.lua")
@@ -21,20 +22,21 @@ for name, m in pairs{ journal = journal, hip = hip } do
   for _, at in ipairs{ { 20, 0 }, { -20, 0 }, { 0, 20 }, { 20, 20 }, { -15, 20 } } do
     local angle, turned = at[1], R * math.rad(at[2])
     local c = contact{ model = m, load = P, load_angle = angle, x = turned }
-    local of = ("%s, load from %g degrees, turned by %g: "):format(name, angle, at[2])
-    within(c.p_center, straight.p_center, 3e-4, of .. "the same pressure [MPa]")
-    within(c.normal_force, straight.normal_force, 1e-4, of .. "the same normal force [N]")
-    below(math.abs(math.deg((c.edges.left + c.edges.right) / 2 / R) - angle), 0.05, of .. "the contact lies under the load [degrees]")
+    local of = ("%s, load at %g degrees, rotated by %g degrees: "):format(name, angle, at[2])
+    within(c.p_center, straight.p_center, 3e-4, of .. "centre pressure without rotation [MPa]")
+    within(c.normal_force, straight.normal_force, 1e-4, of .. "normal force without rotation [N]")
+    below(math.abs(math.deg((c.edges.left + c.edges.right) / 2 / R) - angle), 0.05, of ..
+      "the contact is centred under the load [degrees]")
   end
 end
 local right = contact{ model = hip, load = P, load_angle = 17 }:pressure("pin").p
 local left = contact{ model = hip, load = P, load_angle = -17 }:pressure("pin").p
 local lopsided = 0
 for i = 1, #right do lopsided = math.max(lopsided, math.abs(right[i] - left[#left + 1 - i]) / P) end
-below(lopsided, 1e-10, "loads from either side: mirror images")
+below(lopsided, 1e-10, "loads at opposite angles have mirrored pressures")
 
--- Tests that stresses are given in the position of the body: the field is that of a straight load, rotated
--- with the bush.
+-- Tests that stresses are given at the present position of the body: the field is the field of a vertical
+-- load, rotated with the bush.
 local straight, turned = contact{ model = hip, load = P }:stress(), contact{ model = hip, load = P, load_angle = 20,
   x = R * math.rad(20) }:stress()
 local function largest(field)
@@ -45,8 +47,9 @@ end
 local s0, x0, y0 = largest(straight.bush)
 local s1, x1, y1 = largest(turned.bush)
 local c, s = math.cos(math.rad(20)), math.sin(math.rad(20))
-within(s1, s0, 1e-3, "a bush that has turned with its load: the same largest stress [MPa]")
-below(math.max(math.abs(x1 - (c * x0 - s * (y0 - R))), math.abs(y1 - (R + s * x0 + c * (y0 - R)))), 1e-9, "position of the stresses after rotation [mm]")
+within(s1, s0, 1e-3, "a bush rotated with its load: largest von Mises stress [MPa]")
+below(math.max(math.abs(x1 - (c * x0 - s * (y0 - R))), math.abs(y1 - (R + s * x0 + c * (y0 - R)))), 1e-9,
+  "error of the position of the largest stress after rotation [mm]")
 
 -- --- the cosine law -------------------------------------------------------------------------------
 
@@ -62,25 +65,27 @@ end
 local last
 for _, goal in ipairs{ { 0.5, 0.09 }, { 1, 0.036 }, { 2, 0.014 } } do
   local share, off = table.unpack(goal)
-  local of = ("a turning pin wears its bush to k P s = %g R c: "):format(share)
+  local of = ("a rotating pin wears its bush to k P s = %g R c: "):format(share)
   last = run(journal, 0, share, 1)
-  below(deviation(last, 0), off + 0.005, of .. "pressures off the cosine law")
-  within(last.volume.bush, k * last.load_distance, 1e-12, of .. "V = k integral normal force ds [mm3]")
+  below(deviation(last, 0), off + 0.005, of .. "deviation of the pressures from the cosine law")
+  within(last.volume.bush, k * last.load_distance, 1e-12,
+    of .. "volume by the integral of the normal force [mm3]")
   local h, uneven = last:profile("bush").h, 0
   for i = 1, #h do uneven = math.max(uneven, math.abs(h[i] - h[#h + 1 - i])) end
-  below(uneven / last.depth.bush, 1e-9, of .. "symmetric")
+  below(uneven / last.depth.bush, 1e-9, of .. "asymmetry of the depths")
 end
 local aside = run(journal, 12, 1, 1)
-below(deviation(aside, math.rad(12)), 0.045, "the same under a load from 12 degrees")
+below(deviation(aside, math.rad(12)), 0.045,
+  "load at 12 degrees: deviation of the pressures from the cosine law")
 local other = run(journal, -12, 1, 1)
-within(other.depth.bush, aside.depth.bush, 1e-9, "depth under a load from -12 degrees [mm]")
+within(other.depth.bush, aside.depth.bush, 1e-9, "depth under a load at -12 degrees [mm]")
 
 -- --- both bodies wear, and the bush rotates -------------------------------------------------------
 
 local both = run(journal, 0, 0.5, 0.5)
-within(both.volume.bush, k / 2 * both.load_distance, 1e-12, "both wear: V of the bush [mm3]")
-within(both.volume.pin, k / 2 * both.load_distance, 1e-12, "volume of the pin [mm3]")
-figures.ok(both.depth.pin < both.depth.bush, "the pin, whose wear the swing spreads, is worn less deep")
+within(both.volume.bush, k / 2 * both.load_distance, 1e-12, "both bodies wear: volume of the bush [mm3]")
+within(both.volume.pin, k / 2 * both.load_distance, 1e-12, "both bodies wear: volume of the pin [mm3]")
+figures.ok(both.depth.pin < both.depth.bush, "the rotating pin has a smaller depth than the bush")
 
 -- Tests that a load that follows the swinging bush wears the bush like a load fixed to a resting bush.
 local led = wear{ model = hip, k_cylinder = 0, k_plate = k, load = P, geometry = "frozen", distance = 50,
@@ -89,5 +94,5 @@ local fixed = wear{ model = journal, k_cylinder = k, k_plate = 0, load = P, geom
   loading = { rotation = swing }, jump = 0.5 }
 led:run()
 fixed:run()
-within(led.volume.bush, fixed.volume.bush, 2e-3, "a load that follows the bush: volume [mm3]")
-within(led.depth.bush, fixed.depth.bush, 1e-2, "depth [mm]")
+within(led.volume.bush, fixed.volume.bush, 2e-3, "a load that follows the bush: volume of the bush [mm3]")
+within(led.depth.bush, fixed.depth.bush, 1e-2, "a load that follows the bush: depth of the bush [mm]")

@@ -1,4 +1,5 @@
 -- Tests automatic steps: implicit updates with a tolerance, and automatic explicit updates.
+
 -- Long
 
 local at = require "archard.lib.history_at"
@@ -44,14 +45,14 @@ for _, case in ipairs(cases) do
   local true_depth = extrapolated({ stroke = stroke, alpha = alpha }, jump)
   local w = run{ stroke = stroke, alpha = alpha, scheme = "implicit", tolerance = 1e-3 }
   depths(w, true_depth, 1e-3, what)
-  below(w.update, most + 1, what .. ": steps")
+  below(w.update, most + 1, what .. ": number of steps")
   within(w.volume.total, 1.32e-3, 1e-9, what .. ": volume [mm3]")
   below(roughest(w), 5e-4, what .. ": roughness")
   below(asymmetry(w), 1e-9, what .. ": asymmetry")
 end
 
--- Tests that implicit steps of both orders converge to the same result at their rate. apart() compares whole
--- profiles of two runs, because the deepest nodes alone may agree by chance.
+-- Tests that implicit steps of first and second order converge to the same result with these orders. apart()
+-- compares whole profiles of two runs, because the deepest nodes alone may agree by chance.
 local function apart(w, other)
   local h, g, off, all = w:profile("cylinder").h, other:profile("cylinder").h, 0, 0
   for i = 1, #h do off, all = off + (h[i] - g[i]) ^ 2, all + g[i] ^ 2 end
@@ -64,8 +65,9 @@ for order = 1, 2 do
     local w = run{ scheme = "implicit", order = order, jump = jump }
     off[i] = apart(w, fine)
   end
-  figures.above(off[1] / off[2], order == 1 and 1.7 or 3.5, ("order %d: the error falls with half the step by"):format(order))
-  below(off[2], order == 1 and 2e-3 or 5e-5, ("order %d, N-bar = 200: depths off by"):format(order))
+  figures.above(off[1] / off[2], order == 1 and 1.7 or 3.5,
+    ("order %d: ratio of the errors when the step is halved"):format(order))
+  below(off[2], order == 1 and 2e-3 or 5e-5, ("order %d, N-bar = 200: error of the depths"):format(order))
 end
 
 -- Tests that the error control includes functions of the state, such as running-in.
@@ -73,7 +75,7 @@ local function running_in(s) return 1e-8 * (1 + 4 * math.exp(-s.distance / 100))
 local exact = 1e-6 * (1320 + 400 * (1 - math.exp(-13.2)))
 local w = run{ k = running_in, scheme = "implicit", tolerance = 1e-3 }
 within(w.volume.total, exact, 1e-3, "running-in k, tolerance = 1e-3: volume [mm3]")
-below(w.update, 60, "running-in k: steps")
+below(w.update, 60, "running-in k: number of steps")
 -- the tolerance applies to one step, and errors of the same sign add up
 within(run{ k = running_in, scheme = "implicit", tolerance = 1e-4 }.volume.total, exact, 3e-4,
   "running-in k, tolerance = 1e-4: volume [mm3]")
@@ -90,8 +92,9 @@ end
 local calm = roughest(run{ jump = 100 })
 local rough = wear{ jump = 300 }
 local ended, problem = pcall(rough.run, rough)
-ok(not ended and problem.message:find "ripples" ~= nil, "N-bar = 300, explicit: ends in ripples")
-figures.above(roughest(rough) / calm, 100, "times as rough before as at 100")
+ok(not ended and problem.message:find "ripples" ~= nil,
+  "N-bar = 300, explicit: the run ends with an error about ripples")
+figures.above(roughest(rough) / calm, 100, "N-bar = 300, explicit: roughness relative to N-bar = 100")
 
 -- --- automatic explicit updates without a given number --------------------------------------------------------
 
@@ -117,8 +120,8 @@ local function worst(history, coarse, fine, column)
   return most
 end
 
--- Tests a law with a threshold over all updates. Nodes alternate across the threshold, so steps must be short
--- enough to follow.
+-- Tests a law with a threshold over all updates. Nodes change repeatedly between wear and no wear, so the
+-- steps must be short enough to follow.
 for _, case in ipairs{ { 250, 0.22, 0.4, 0.2 }, { 150, 0.11, 0.5, 0.5 }, { 200, 0.44, 0.75, 0.5 } } do
   local p0, stroke, alpha, jump = table.unpack(case)
   local fields = { law = "threshold", law_pressure = p0, stroke = stroke, alpha = alpha, distance = 660, geometry = "frozen" }
@@ -128,7 +131,7 @@ for _, case in ipairs{ { 250, 0.22, 0.4, 0.2 }, { 150, 0.11, 0.5, 0.5 }, { 200, 
   local auto = run(fields).history
   local what = ("threshold %g MPa, s = %g, alpha = %g, auto, whole run: "):format(p0, stroke, alpha)
   for column, most in pairs{ depth_cylinder = 2e-3, depth_plate = 2e-3, p_center = 2e-3 } do
-    below(worst(auto, fine, fine, column), most, what .. column .. " off by")
+    below(worst(auto, fine, fine, column), most, what .. column .. ": largest error")
   end
 end
 
@@ -153,7 +156,10 @@ for _, case in ipairs(whole_runs) do
   local fine = run(fields).history
   fields.jump = "auto"
   local auto = run(fields).history
-  below(worst(auto, coarse, fine, "depth_cylinder"), 5e-3, name .. ", auto, whole run: depth of the cylinder off by")
-  below(worst(auto, coarse, fine, "depth_plate"), 5e-3, name .. ", auto, whole run: depth of the plate off by")
-  below(worst(auto, coarse, fine, "p_center"), 1e-2, name .. ", auto, whole run: centre pressure off by")
+  below(worst(auto, coarse, fine, "depth_cylinder"), 5e-3,
+    name .. ", auto, whole run: error of the cylinder's depth")
+  below(worst(auto, coarse, fine, "depth_plate"), 5e-3,
+    name .. ", auto, whole run: error of the plate's depth")
+  below(worst(auto, coarse, fine, "p_center"), 1e-2,
+    name .. ", auto, whole run: error of the centre pressure")
 end

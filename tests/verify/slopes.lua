@@ -1,5 +1,6 @@
 -- Tests deep scars with inclined surfaces: the outlines lose the area k L d in total, and the losses of both
 -- bodies have the ratio k_c to k_p.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, ok = figures.within, figures.below, figures.ok
@@ -39,18 +40,21 @@ for _, case in ipairs(cases) do
   figures.note(("%s: %.3g um deep, slopes to %.2g"):format(name, 1e3 * (w.depth.cylinder + w.depth.plate),
     w.half_width / w.model.radius))
   for _, body in ipairs{ "cylinder", "plate" } do
-    within(lost(w, body), w.k / 2 * 100 * w.distance, 1e-9, name .. ": area the " .. body .. " lost by its outline [mm2]")
+    within(lost(w, body), w.k / 2 * 100 * w.distance, 1e-9,
+      name .. ": area lost from the outline of the " .. body .. " [mm2]")
     below(figures.asymmetry(w:profile(body).h), 1e-9, name .. ": asymmetry of the " .. body)
   end
 end
 
--- Tests that pressures act along normals. Between a stiff and a soft body the forces along x raise or lower
--- the surfaces, with opposite sign if the bodies are exchanged. If forces acted along the load, the
--- difference would be smaller.
+-- Tests that pressures act along normals. Between a stiff and a soft body the force components along x raise
+-- or lower the surfaces, with opposite sign if the bodies are exchanged. If forces acted along the load, both
+-- centre pressures would be more similar.
 local soft_plate, soft_cylinder = cases[2][2], cases[3][2]
-ok(soft_plate.p_center < soft_cylinder.p_center, "a soft plate under a slope bears less in the middle than a soft cylinder")
+ok(soft_plate.p_center < soft_cylinder.p_center,
+  "a soft plate with slopes has a lower centre pressure than a soft cylinder")
 
--- Tests slip that includes the elastic part: its work is the work summed over pairs of points.
+-- Tests slip that includes the elastic part: the volumes of both bodies follow from the same work, summed
+-- over pairs of points.
 for _, couple in ipairs{ { plate = { E = 2e3 } }, { plate = { E = 20e3 } }, { cylinder = { E = 2e3 } } } do
   for _, alpha in ipairs{ 0.25 } do
     couple.radius = 10
@@ -71,26 +75,27 @@ for name, w in pairs{ steel = wear{ slip = "total", stroke = 20, alpha = 0.3, ju
   within(w.volume.cylinder / w.volume.plate, 3 / 7, 1e-9, "total slip over the whole plate, " .. name .. ": V_c / V_p (Eq. 15)")
 end
 local steady = wear{ alpha = 1, slip = "total", distance = 440, jump = 100 }:run()
--- The plate's strain below the contact shortens the sliding distance. At the surface of a half-plane the
--- strain is -(1 + nu)(1 - 2 nu) p / E.
+-- The plate's strain below the contact shortens the sliding distance. The strain at the surface of a
+-- half-plane is -(1 + nu)(1 - 2 nu) p / E.
 local strain = -1.3 * 0.4 * figures.mean(steady.history.p_center, 2) / 200e3
 figures.about(steady.volume.total / 4.4e-4 - 1, strain, 0.15 * -strain, "total slip under a steady contact: V / (k L d) - 1")
 
--- Tests sliding out of the plane: pairs of points stay together, so the partition of the depths (alpha-tilde)
--- is alpha, and the sum of depths equals that for alpha = 1.
+-- Tests sliding out of the plane: pairs of points stay together, so the depth partition (alpha-tilde) is
+-- alpha, and the sum of depths is the depth for alpha = 1.
 local one = wear{ alpha = 1 }:run()
 for _, alpha in ipairs{ 0.25, 0.5 } do
   local w = wear{ alpha = alpha, slide = "z" }:run()
   within(w.depth_partition, alpha, 1e-5, ("slide = z, alpha = %g: alpha-tilde"):format(alpha))
-  within(w.volume.cylinder / w.volume.total, alpha, 1e-4, ("slide = z, alpha = %g: share of the volume"):format(alpha))
-  within(w.depth.cylinder + w.depth.plate, one.depth.cylinder, 1e-3, "its sum of depths against alpha = 1 [mm]")
-  within(w.p_center, one.p_center, 1e-3, "its centre pressure against alpha = 1 [MPa]")
+  within(w.volume.cylinder / w.volume.total, alpha, 1e-4,
+    ("slide = z, alpha = %g: fraction of the volume"):format(alpha))
+  within(w.depth.cylinder + w.depth.plate, one.depth.cylinder, 1e-3,
+    "slide = z: sum of depths against alpha = 1 [mm]")
+  within(w.p_center, one.p_center, 1e-3, "slide = z: centre pressure against alpha = 1 [MPa]")
 end
 
--- Tests a plate of slope m, which has an exact solution by rotation: the cylinder touches the plate beside its
--- axis with the normal force L sqrt(1 + m^2), so the largest pressure is Hertz' pressure times (1 + m^2)^(1/4).
--- Forces along y would give the factor (1 + m^2)^(3/4); the normals change the pressure only in second order,
--- by -m^2 / 2.
+-- Tests a plate of slope m, which has an exact solution by rotation: the cylinder touches the plate beside
+-- its axis with the normal force L sqrt(1 + m^2), so the largest pressure is Hertz' pressure times (1 +
+-- m^2)^(1/4). Forces along y instead of the normal would have the factor (1 + m^2)^(3/4).
 local function peak(c)
   local p, sum, top, at = c:pressure("cylinder"), {}, 0, 0
   for i, value in ipairs(p.p) do
@@ -123,5 +128,5 @@ for _, slope in ipairs{ 0.06, 0.12 } do
     count = count + 1
   end
   within(sum / count, (1 + slope * slope) ^ 0.25, 4e-4,
-    ("plate inclined by %g: largest pressure over Hertz', five loads"):format(slope))
+    ("plate inclined by %g: largest pressure / Hertz' pressure, mean of five loads"):format(slope))
 end

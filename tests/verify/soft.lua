@@ -13,7 +13,8 @@ local pairs_of = {
   { "both nu = .4999", { E = 10, nu = 0.4999 }, { E = 10, nu = 0.4999 } },
 }
 
--- Returns the factor of the load that gives the same contact widths as on steel.
+-- Returns the ratio of contact moduli of the pair and of steel, the factor of the load for equal contact
+-- widths.
 local function modulus(pair)
   return hertz{ cylinder = pair[2], plate = pair[3] }.E_star / hertz{}.E_star
 end
@@ -38,14 +39,14 @@ end
 for _, pair in ipairs(pairs_of) do
   for _, size in ipairs{ 0.02, 0.01 } do
     local rms, worst = centre_errors(pair, size)
-    below(worst, 3e-3, ("%s, %g um: centre pressure at the worst load"):format(pair[1], 1000 * size))
-    below(rms, 1.5e-3, ("%s, %g um: r.m.s. over the loads"):format(pair[1], 1000 * size))
+    below(worst, 3e-3, ("%s, %g um: largest error of the centre pressure"):format(pair[1], 1000 * size))
+    below(rms, 1.5e-3, ("%s, %g um: r.m.s. error of the centre pressure"):format(pair[1], 1000 * size))
   end
 end
 
--- Returns the change of the approach of the rigid bodies by smaller elements far from the contact. The
--- approach includes the deformation of the whole body with its triangles. Elements of an eighth of the size
--- must change it as little as with steel.
+-- Returns the relative change of the approach when the elements far from the contact have an eighth of the
+-- size. The approach includes the deformation of the whole body with its triangles; the change must be as
+-- small as for steel.
 local function approach_change(pair)
   local function approach(far)
     return contact{ load = 100 * modulus(pair), model = { cylinder = pair[2], plate = pair[3],
@@ -54,10 +55,10 @@ local function approach_change(pair)
   return math.abs(approach(1) / approach(0.125) - 1)
 end
 below(approach_change(pairs_of[6]), 1.2 * approach_change{ "", steel, steel },
-  "both nu = .4999: share of the approach that coarse elements miss")
+  "both nu = .4999: error of the approach by coarse elements")
 
--- Tests the wear of the cylinder on a plate that stays flat against boundary elements (see flat_plate.lua):
--- k_c d E* of steel, centre pressure / p_H, depth [um].
+-- Tests the wear of the cylinder on a plate that stays flat against boundary elements (see flat_plate.lua).
+-- Each row: distance on steel [mm], centre pressure / p_H, depth [um].
 for _, at in ipairs{ 4, 5, 6 } do
   local pair, scale = pairs_of[at], modulus(pairs_of[at])
   local w = wear{ model = model_of(pair, 0.02), alpha = 1, stroke = 0.11, load = 100 * scale,
@@ -79,7 +80,7 @@ local function warned(element, nu)
   return warnings.take()
 end
 figures.ok((warned("CPE4", 0.49) or ""):find("lock at nu = 0.49 of the plate", 1, true),
-  "CPE4 at nu = .49 is warned of")
+  "CPE4 at nu = 0.49 gives a warning")
 for _, quiet in ipairs{ { "CPE4", 0.45 }, { "auto", 0.49 }, { "CPE4I", 0.49 } } do
   figures.ok(warned(quiet[1], quiet[2]) == nil, ("%s at nu = %g: no warning"):format(quiet[1], quiet[2]))
 end

@@ -1,5 +1,6 @@
 -- Tests wear in three dimensions against an independent computation of the same problem, and its exact
 -- symmetries: volumes, exchange of bodies, and mirror symmetry across the motion.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
@@ -14,6 +15,7 @@ local function run(load, stroke, alpha, distance, changes)
 end
 
 -- --- ball of 10 mm, 10 N, 1320 mm: depths of both bodies [mm] --------------------------------------
+
 -- A stroke of half a contact width is integrated with four positions, with an error of 1 %.
 local short = {
   [0] = { 0, 1.97333e-3 }, [0.25] = { 5.1384e-4, 1.47537e-3 }, [0.5] = { 1.01401e-3, 9.8532e-4 },
@@ -23,15 +25,18 @@ local runs = {}
 for alpha, depth in pairs(short) do
   local w = run(10, 0.04, alpha, 1320)
   runs[alpha] = w
-  if alpha > 0 then within(w.depth.ball, depth[1], 0.01, ("stroke 0.04, alpha %g: ball"):format(alpha)) end
-  if alpha < 1 then within(w.depth.block, depth[2], 0.01, ("stroke 0.04, alpha %g: flat"):format(alpha)) end
-  within(w.volume.total, 1e-8 * 10 * 1320, 1e-9, ("stroke 0.04, alpha %g: volume"):format(alpha))
-  if alpha > 0 then within(w.volume.ball, alpha * 1e-8 * 10 * 1320, 1e-9, ("stroke 0.04, alpha %g: ball's"):format(alpha)) end
+  if alpha > 0 then within(w.depth.ball, depth[1], 0.01,
+    ("stroke 0.04 mm, alpha %g: depth of the ball [mm]"):format(alpha)) end
+  if alpha < 1 then within(w.depth.block, depth[2], 0.01,
+    ("stroke 0.04 mm, alpha %g: depth of the flat [mm]"):format(alpha)) end
+  within(w.volume.total, 1e-8 * 10 * 1320, 1e-9, ("stroke 0.04 mm, alpha %g: volume [mm3]"):format(alpha))
+  if alpha > 0 then within(w.volume.ball, alpha * 1e-8 * 10 * 1320, 1e-9,
+    ("stroke 0.04 mm, alpha %g: volume of the ball [mm3]"):format(alpha)) end
 end
 
 local halved = run(10, 0.04, 0.5, 1320, { model = finer })
-within(halved.depth.ball, 1.01279e-3, 0.0015, "stroke 0.04 on cells of a/16: ball")
-within(halved.depth.block, 9.8716e-4, 0.0015, "flat")
+within(halved.depth.ball, 1.01279e-3, 0.0015, "stroke 0.04 mm on cells of a/16: depth of the ball [mm]")
+within(halved.depth.block, 9.8716e-4, 0.0015, "stroke 0.04 mm on cells of a/16: depth of the flat [mm]")
 
 -- --- 30 N, 3000 mm -----------------------------------------------------------------------------------
 for _, case in ipairs{
@@ -40,59 +45,62 @@ for _, case in ipairs{
 } do
   local w = run(30, case[1], case[2], 3000)
   local name = ("30 N, stroke %g, alpha %g: "):format(case[1], case[2])
-  if case[3] > 0 then within(w.depth.ball, case[3], 0.005, name .. "ball") end
-  if case[4] > 0 then within(w.depth.block, case[4], 0.005, name .. "flat") end
-  if case[5] then figures.about(w.depth_partition, case[5], 0.003, name .. "alpha-tilde") end
-  within(w.volume.total, 9e-4, 1e-9, name .. "volume")
+  if case[3] > 0 then within(w.depth.ball, case[3], 0.005, name .. "depth of the ball [mm]") end
+  if case[4] > 0 then within(w.depth.block, case[4], 0.005, name .. "depth of the flat [mm]") end
+  if case[5] then figures.about(w.depth_partition, case[5], 0.003, name .. "depth partition") end
+  within(w.volume.total, 9e-4, 1e-9, name .. "volume [mm3]")
 end
 local early = run(30, 0.12, 0.5, 500)
-within(early.depth.ball, 1.0568e-3, 0.005, "30 N, stroke 0.12, after 500 mm: ball")
-within(early.depth.block, 9.642e-4, 0.005, "flat")
+within(early.depth.ball, 1.0568e-3, 0.005, "30 N, stroke 0.12 mm, after 500 mm: depth of the ball [mm]")
+within(early.depth.block, 9.642e-4, 0.005, "30 N, stroke 0.12 mm, after 500 mm: depth of the flat [mm]")
 local fine = run(30, 0.12, 0.5, 3000, { model = finer })
-within(fine.depth.ball, 2.7949e-3, 0.0015, "30 N, stroke 0.12 on cells of a/16: ball")
-within(fine.depth.block, 2.3987e-3, 0.0015, "flat")
-figures.about(fine.depth_partition, 0.53815, 0.001, "alpha-tilde")
+within(fine.depth.ball, 2.7949e-3, 0.0015, "30 N, stroke 0.12 mm on cells of a/16: depth of the ball [mm]")
+within(fine.depth.block, 2.3987e-3, 0.0015, "30 N, stroke 0.12 mm on cells of a/16: depth of the flat [mm]")
+figures.about(fine.depth_partition, 0.53815, 0.001, "30 N, stroke 0.12 mm on cells of a/16: depth partition")
 
 -- --- long strokes: all positions, and the track as a groove -----------------------------------------
--- Except near its ends, the depth of the groove's middle agrees within 3 % and the ball's depth within 0.5 %.
+
+-- The two computations agree within 3 % in the depth of the groove's middle (except near its ends) and within
+-- 0.5 % in the ball's depth.
 for _, case in ipairs{ { 0, 0, 7.3231e-4 }, { 0.25, 8.5054e-4, 4.6460e-4 }, { 0.5, 1.31788e-3, 2.8773e-4 }, { 0.75, 1.68647e-3, 1.3841e-4 } } do
   local w = wear{ model = m, load = 10, stroke = 1, alpha = case[1], distance = 1320, procedure = "NSP" }
   w:run()
   local name = ("stroke 1 as a groove, alpha %g: "):format(case[1])
-  if case[2] > 0 then within(w.depth.ball, case[2], 0.005, name .. "ball") end
-  within(w.depth.block, case[3], 0.03, name .. "groove")
-  within(w.volume.total, 1.32e-4, 1e-9, name .. "volume")
+  if case[2] > 0 then within(w.depth.ball, case[2], 0.005, name .. "depth of the ball [mm]") end
+  within(w.depth.block, case[3], 0.03, name .. "depth of the groove [mm]")
+  within(w.volume.total, 1.32e-4, 1e-9, name .. "volume [mm3]")
   local all = run(10, 1, case[1], 1320)
   name = ("stroke 1, all positions, alpha %g: "):format(case[1])
-  if case[2] > 0 then within(all.depth.ball, case[2], 0.005, name .. "ball") end
-  within(all:map("block"):at(0, 0), case[3], 0.005, name .. "middle of the flat")
+  if case[2] > 0 then within(all.depth.ball, case[2], 0.005, name .. "depth of the ball [mm]") end
+  within(all:map("block"):at(0, 0), case[3], 0.005, name .. "depth in the middle of the flat [mm]")
 end
 
--- Tests bodies a thousand times as stiff against rigid bodies, whose wear is integrated over the distance. If
--- only the flat wears, the area of the groove's middle section is volume / stroke = 4/3 sqrt(2 R) h^(3/2).
+-- Tests bodies a thousand times as stiff as steel against rigid bodies, whose depths follow from an
+-- integration over the distance. If only the flat wears, the area of the groove's middle section is 4/3
+-- sqrt(2 R) h^(3/2), the volume divided by the stroke.
 local rigid = model{ geometry = "3-D", upper = body.ball{ radius = 10, E = 2e8 }, lower = body.block{ E = 2e8 }, mesh = { size = 0.0125 } }
 local both = run(10, 1, 0.5, 1320, { model = rigid, procedure = "NSP" })
-within(both.depth.ball, 1.3621e-3, 0.002, "nearly rigid, stroke 1: ball")
-within(both.depth.block, 2.9974e-4, 0.002, "groove")
--- The edge of the pressure between rigid bodies is computed to one cell only. Rounding errors, such as those
--- of another BLAS, can move the edge by a cell, so the tolerance is 0.0125 / 0.16505.
-within(both.half_width, 0.16505, 0.076, "half width along, to a cell")
-within(both.half_width_z, 0.18231, 0.076, "half width across, to a cell")
+within(both.depth.ball, 1.3621e-3, 0.002, "nearly rigid bodies, stroke 1 mm: depth of the ball [mm]")
+within(both.depth.block, 2.9974e-4, 0.002, "nearly rigid bodies, stroke 1 mm: depth of the groove [mm]")
+-- The edge of the pressure between rigid bodies is located to one cell only, and rounding errors of another
+-- BLAS can move it by a cell. The tolerance is therefore one cell, 0.0125 / 0.16505.
+within(both.half_width, 0.16505, 0.076, "nearly rigid bodies: half width along the motion, to a cell [mm]")
+within(both.half_width_z, 0.18231, 0.076, "nearly rigid bodies: half width across the motion, to a cell [mm]")
 within(run(10, 1, 0, 1320, { model = rigid }):map("block"):at(0, 0), (0.75 * 1.32e-4 / math.sqrt(20)) ^ (2 / 3), 0.005,
-  "nearly rigid, only the flat wears: groove")
+  "nearly rigid bodies, only the flat wears: depth of the groove [mm]")
 
--- --- a power law far beyond Hertz --------------------------------------------------------------------
--- Tests rigid bodies at one position against their closed form. From p = P / (pi c^2), dh = k p (p / p0)^n dd
--- and h = c^2 / 2R follows c^(4 + 2n) = (4 + 2n) R k P^(1 + n) d / (pi^(1 + n) p0^n). Elasticity makes
--- contacts wider and reduces the depth by 1.5 to 2.7 % (n = 0 to 2), at ten times the distance by 0.3 to 1.1
--- %.
+-- --- a power law after much wear --------------------------------------------------------------------
+
+-- Tests a power law against the closed form of rigid bodies at one position. The pressure p = P / (pi c^2),
+-- the law dh = k p (p / p0)^n dd and the cap h = c^2 / 2R yield c^(4 + 2n) = (4 + 2n) R k P^(1 + n) d /
+-- (pi^(1 + n) p0^n). Elasticity widens the contact and reduces the depth by 1.5 to 2.7 % (n = 0 to 2).
 local function cap(n, p0)
   return ((4 + 2 * n) * 10 * 1e-8 * 30 ^ (1 + n) * 3000 / (math.pi ^ (1 + n) * p0 ^ n)) ^ (1 / (2 + n)) / 20
 end
 for _, n in ipairs{ 0.5, 1, 2 } do
   local w = wear{ model = m, load = 30, stroke = 0.36, alpha = 1, distance = 3000, law = "power", law_exponent = n, law_pressure = 100 }
   w:run()
-  within(w.depth.ball, cap(n, 100), 0.03, ("power law, exponent %g: cap"):format(n))
+  within(w.depth.ball, cap(n, 100), 0.03, ("power law, exponent %g: depth of the cap [mm]"):format(n))
 end
 for _, stroke in ipairs{ 0.04, 0.2 } do
   local law = { model = m, load = 10, stroke = stroke, alpha = 0.5, distance = 1320, law = "power", law_exponent = 1, law_pressure = 300 }
@@ -101,14 +109,17 @@ for _, stroke in ipairs{ 0.04, 0.2 } do
   law.jump = "auto"
   local explicit = wear(law)
   explicit:run()
-  within(implicit.depth.ball, explicit.depth.ball, 1e-3, ("power law, stroke %g: implicit against explicit, ball"):format(stroke))
-  within(implicit.depth.block, explicit.depth.block, 1e-3, "flat")
-  within(implicit.volume.total, explicit.volume.total, 1e-3, "volume")
+  within(implicit.depth.ball, explicit.depth.ball, 1e-3,
+    ("power law, stroke %g: explicit against implicit, depth of the ball [mm]"):format(stroke))
+  within(implicit.depth.block, explicit.depth.block, 1e-3,
+    "power law: explicit against implicit, depth of the flat [mm]")
+  within(implicit.volume.total, explicit.volume.total, 1e-3,
+    "power law: explicit against implicit, volume [mm3]")
 end
 
 -- --- symmetries ------------------------------------------------------------------------------------
--- Tests the mirror symmetry across the motion cell by cell, and the scar of the flat, which is equal in both
--- halves of the stroke.
+
+-- Tests the mirror symmetry of the depths across the motion, cell by cell.
 local function asymmetry(t)
   local nx, nz, most, largest = #t.x, #t.z, 0, 0
   for i = 1, nx do
@@ -119,28 +130,31 @@ local function asymmetry(t)
   end
   return most / largest
 end
-below(asymmetry(runs[0.25]:map "ball"), 1e-9, "mirror across the motion: ball")
-below(asymmetry(runs[0.25]:map "block"), 1e-9, "mirror across the motion: flat")
+below(asymmetry(runs[0.25]:map "ball"), 1e-9, "asymmetry across the motion: ball")
+below(asymmetry(runs[0.25]:map "block"), 1e-9, "asymmetry across the motion: flat")
 
--- Tests the flat as the upper and the ball as the lower body: both wear by the same amounts in the same
--- motion.
+-- Tests the exchange of bodies, with the flat as the upper body: both bodies wear by the same amounts in the
+-- same motion.
 local turned = model{ geometry = "3-D", upper = body.block{}, lower = body.ball{ radius = 10 } }
 -- fixed steps, because error-controlled steps would differ
 local even = { scheme = "implicit", jump = 1320 / 0.08 / 16 }
 local straight = run(10, 0.04, 0.25, 1320, even)
 even.model = turned
 local w = run(10, 0.04, 0.75, 1320, even)
-within(w.volume.ball, straight.volume.ball, 1e-9, "exchange of bodies: volumes")
-within(w.depth.ball, straight.depth.ball, 1e-9, "exchange of bodies: the ball's depth")
-within(w.depth.block, straight.depth.block, 1e-9, "exchange of bodies: the flat's depth")
+within(w.volume.ball, straight.volume.ball, 1e-9, "exchange of bodies: volume of the ball [mm3]")
+within(w.depth.ball, straight.depth.ball, 1e-9, "exchange of bodies: depth of the ball [mm]")
+within(w.depth.block, straight.depth.block, 1e-9, "exchange of bodies: depth of the flat [mm]")
 
--- Tests the exchange if only one body wears: a flat that slides over a ball, as long as the contact or much longer.
+-- Tests the exchange of bodies if only the flat wears, for a stroke as long as the contact and for a long
+-- stroke.
 for _, stroke in ipairs{ 0.2, 1 } do
   local function run(upper, lower, alpha)
     local made = wear{ model = { geometry = "3-D", upper = upper, lower = lower }, stroke = stroke, k = 2e-8, load = 6, distance = 200, alpha = alpha }
     return made:run{ progress = false } or made
   end
   local flat_below, flat_above = run(body.ball{ radius = 4 }, body.block{}, 0), run(body.block{}, body.ball{ radius = 4 }, 1)
-  within(flat_above.depth.upper, flat_below.depth.lower, 5e-4, "stroke " .. stroke .. ", depth")
-  within(flat_above.p_max, flat_below.p_max, 5e-4, "stroke " .. stroke .. ", pressure")
+  within(flat_above.depth.upper, flat_below.depth.lower, 5e-4,
+    "exchange of bodies, stroke " .. stroke .. " mm: depth of the flat [mm]")
+  within(flat_above.p_max, flat_below.p_max, 5e-4,
+    "exchange of bodies, stroke " .. stroke .. " mm: pressure [MPa]")
 end

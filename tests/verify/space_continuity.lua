@@ -1,6 +1,7 @@
 -- Tests the continuity of friction in three dimensions: results vary smoothly over sweeps of the input. The
--- stick zone of a contact consists of whole cells, and the cells of a run are chosen so that its stick zone
--- has the right area. Both therefore change with the input by amounts below the error of the cells.
+-- stick zone of a contact consists of whole cells, and a run chooses its cells so that the stick zone has the
+-- right area. Results therefore have steps smaller than the discretization error.
+
 -- Long
 local sweeps = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/sweep.lua")
 local sweep, sweep_cells, sweep_runs = sweeps(5e-3, 1e-6), sweeps(2.5e-2, 1e-6), sweeps(2.5e-2, 1e-6, 12)

@@ -1,6 +1,7 @@
 -- Tests fretting wear of a ball in partial and gross slip: volumes against an independent study with other
--- cells, the final state at nu = 0 in closed form, and the effect of steps. Processor times are printed as a
--- note. Steel ball of 10 mm, 10 N, friction 0.5.
+-- cells, the final state at nu = 0 in closed form, and the effect of the step length. The ball is of steel
+-- with R = 10 mm, under 10 N with friction 0.5.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local warnings = require "archard.warnings"
@@ -14,7 +15,8 @@ local function contact_of(nu)
   return a, 3 * load / (2 * math.pi * a * a)
 end
 
--- Returns a run with `cells` cells in the half width (0: automatic) and the number of cycles of one period.
+-- Returns a run with `cells` cells in the half width (0: automatic), and the number of cycles in one unit of
+-- the dimensionless time T, 1 / (4 mu k p0).
 local function fret(nu, share, cells)
   local a, p0 = contact_of(nu)
   local steel = material{ E = 200e3, nu = nu }
@@ -37,7 +39,9 @@ local function follow(nu, share, cells, expected, allowed, label)
 end
 
 -- --- nu = 0 ----------------------------------------------------------------------------------------
--- The last three numbers are the end of wear: volume, largest depth and approach.
+
+-- Each row: fraction of full slip; volume at T = 1 and T = 10; depth at T = 1; volume, largest depth and
+-- approach (divided by a^2 / R) at the end of wear.
 for _, case in ipairs{ { 0.5, 1.0844e-7, 8.46e-7, 1.503e-5, 9.0055e-7, 7.7996e-5, 1.04993 },
   { 0.7, 4.0065e-7, 3.330e-6, 3.533e-5, 3.52798e-6, 1.8160e-4, 1.14525 }, { 0.9, 1.3863e-6, 1.620e-5, 8.011e-5, 1.89375e-5, 5.1483e-4, 1.50810 } } do
   local share, early, late, depth, volume, deepest, approach = table.unpack(case)
@@ -45,19 +49,23 @@ for _, case in ipairs{ { 0.5, 1.0844e-7, 8.46e-7, 1.503e-5, 9.0055e-7, 7.7996e-5
   local w = follow(0, share, 0, { early, nil, late }, { 0.01, nil, 0.01 }, label)
   local at = 1
   while w.history.cycle[at] < w.history.cycle[#w.history.cycle] / 10 * (1 - 1e-9) do at = at + 1 end
-  within(w.history.depth_cylinder[at], depth, 0.01, label .. ": depth at T = 1")
+  within(w.history.depth_cylinder[at], depth, 0.01, label .. ": depth at T = 1 [mm]")
   w:run{ progress = false }
   local a = contact_of(0)
-  within(w.volume.total, volume, 0.005, label .. ", the end: volume")
-  within(w.depth.cylinder, deepest, 0.005, label .. ", the end: depth")
-  within(contact{ worn = w, load = load }.approach, approach * a * a / radius, 0.001, label .. ", the end: approach")
+  within(w.volume.total, volume, 0.005, label .. ", end of wear: volume [mm3]")
+  within(w.depth.cylinder, deepest, 0.005, label .. ", end of wear: depth [mm]")
+  within(contact{ worn = w, load = load }.approach, approach * a * a / radius, 0.001,
+    label .. ", end of wear: approach [mm]")
 end
 
--- At the end the pressure at the edge of the stick zone is eleven times p0. If cells with little pressure around
--- this edge carry no shear, a ring of sticking cells slips, and the volume is 8 % too large.
-within(fret(0, 0.95, 17):run{ progress = false }.volume.total, 3.99883e-5, 0.02, "nu = 0, 0.95 of full slip, 17 cells, the end: volume")
+-- At the end of wear the pressure at the edge of the stick zone is eleven times p0. Cells with little
+-- pressure around this edge must carry shear; otherwise a ring of sticking cells slips, and the volume is 8 %
+-- too large.
+within(fret(0, 0.95, 17):run{ progress = false }.volume.total, 3.99883e-5, 0.02,
+  "nu = 0, 0.95 of full slip, 17 cells, end of wear: volume [mm3]")
 
--- After the end of wear nothing is removed, and the estimated error is 0. The steps became 33 cycles then.
+-- Tests a run that continues after the end of wear: the estimated error is then zero, and the steps must
+-- nevertheless become long.
 do
   local w = wear{ model = { geometry = "3-D", upper = body.ball{ radius = radius }, lower = body.block{},
     mesh = { size = contact_of(0.3) / 14 } }, friction = mu, tangential = 0.8 * mu * load, k = 1e-6, load = load, cycles = 1e6 }
@@ -66,9 +74,10 @@ do
 end
 
 -- --- nu = 0.3 --------------------------------------------------------------------------------------
--- At 0.9 of full slip the study, with up to 28 cells, has 1.750e-5 at T = 10, which has not converged. The
--- volume expected there is that of 40 cells: with 14, 17, 20, 24, 28, 33 and 40 cells it is 1.875, 1.858, 1.948,
--- 1.955, 1.926, 1.937 and 1.939e-5. Explicit updates, extrapolated to length 0, agree within 0.3 % at 20 cells.
+
+-- At 0.9 of full slip and T = 10 the study, with up to 28 cells, has not converged (1.750e-5). The expected
+-- volume is therefore archard's own with 40 cells; with 14, 17, 20, 24, 28, 33 and 40 cells it is 1.875,
+-- 1.858, 1.948, 1.955, 1.926, 1.937 and 1.939e-5.
 local partly = "nu = 0.3, %g of full slip, %s cells"
 follow(0.3, 0.5, 0, { 1.167e-7, 3.729e-7, 8.25e-7 }, { 0.01, 0.02, 0.03 }, partly:format(0.5, "automatic"))
 follow(0.3, 0.7, 0, { 4.364e-7, 1.497e-6, 3.337e-6 }, { 0.01, 0.02, 0.03 }, partly:format(0.7, "automatic"))
@@ -84,19 +93,20 @@ local function slide(alpha, changes)
   return wear(all):run{ progress = false }
 end
 local alone, shared = slide(1), slide(0.5)
-within(alone.depth.cylinder, 1.43323e-3, 0.003, "gross slip, alpha 1: depth")
-within(alone.volume.total, 6.9563e-5, 0.003, "gross slip, alpha 1: volume")
-within(shared.depth.cylinder, 7.2099e-4, 0.003, "gross slip, alpha 0.5: depth of the ball")
-within(shared.depth.plate, 7.0987e-4, 0.003, "gross slip, alpha 0.5: depth of the block")
-within(shared.volume.plate, 3.4761e-5, 0.003, "gross slip, alpha 0.5: volume of each")
+within(alone.depth.cylinder, 1.43323e-3, 0.003, "gross slip, alpha 1: depth [mm]")
+within(alone.volume.total, 6.9563e-5, 0.003, "gross slip, alpha 1: volume [mm3]")
+within(shared.depth.cylinder, 7.2099e-4, 0.003, "gross slip, alpha 0.5: depth of the ball [mm]")
+within(shared.depth.plate, 7.0987e-4, 0.003, "gross slip, alpha 0.5: depth of the block [mm]")
+within(shared.volume.plate, 3.4761e-5, 0.003, "gross slip, alpha 0.5: volume of the block [mm3]")
 local few, many = slide(0.5, { scheme = "implicit", jump = 1250 }), slide(0.5, { scheme = "implicit", jump = 250 })
-within(few.depth.cylinder, many.depth.cylinder, 5e-4, "8 steps against 40: depth")
-within(few.volume.total, many.volume.total, 5e-4, "8 steps against 40: volume")
+within(few.depth.cylinder, many.depth.cylinder, 5e-4, "8 steps against 40 steps: depth [mm]")
+within(few.volume.total, many.volume.total, 5e-4, "8 steps against 40 steps: volume [mm3]")
 
 -- --- a long crowned roller -------------------------------------------------------------------------
--- Compares McColl's case (radius 6 mm, friction 0.9, stroke 50 um) in the middle of a long roller with the
--- plane engine, under the same load per length and with the same slip. The lag of the slip depends on the
--- length of the roller.
+
+-- Compares the middle of a long roller in McColl's case (radius 6 mm, friction 0.9, stroke 50 um) with the
+-- plane model under the same load per length and with the same slip. The elastic displacement, and thus the
+-- slip for a given stroke, depends on the length of the roller.
 do
   local fields = { friction = 0.9, stroke = 0.05, k_cylinder = 1.9e-8, k_plate = 2.9e-8 }
   local function run(changes)
@@ -115,8 +125,9 @@ do
   line.cycles = 500 * slip(roller) / slip(run(line))
   local plane = run(line)
   ok(roller.gross == 1 and plane.gross == 1, "a long roller: gross slip")
-  within(slip(plane), slip(roller), 0.003, "a long roller: slip [mm]")
-  within(roller.depth.upper, plane.depth.cylinder, 0.01, "a long roller: depth in its middle [mm]")
+  within(slip(plane), slip(roller), 0.003, "a long roller: slip per cycle [mm]")
+  within(roller.depth.upper, plane.depth.cylinder, 0.01,
+    "a long roller: depth of the roller in its middle [mm]")
   within(roller.depth.lower, plane.depth.plate, 0.01, "a long roller: depth of the flat [mm]")
 end
 
@@ -126,7 +137,8 @@ do
   local half = contact{ model = model(bodies), load = load }.half_width
   bodies.mesh = { size = half / 28 }
   local pressed = contact{ model = model(bodies), load = load, friction = 0.1, increments = 32 }
-  within(pressed.stick ^ 0.5, 0.651, 0.003, "steel on PEEK, friction 0.1: radius of the zone that sticks")
+  within(pressed.stick ^ 0.5, 0.651, 0.003,
+    "steel on PEEK, friction 0.1: radius of the stick zone / contact radius")
 end
 do
   local bodies = model{ geometry = "3-D", upper = body.ball{ radius = radius }, lower = body.block{}, mesh = { size = a / 14 } }
@@ -142,16 +154,18 @@ do
   end
   local four, eight, sixteen = second_turn(4), second_turn(8), second_turn(16)
   local ratio = (sixteen - eight) / (eight - four)
-  ok(ratio > 0.45 and ratio < 0.6, ("a rotating force is of first order in the increments: %.2f"):format(ratio))
+  ok(ratio > 0.45 and ratio < 0.6,
+    ("a rotating force: error of first order in the increments, ratio %.2f"):format(ratio))
   local work, shown = second_turn()
   local missed = 2 * sixteen - eight - work
   ok(math.abs(missed) < 2 * shown and math.abs(missed) > shown / 3,
-    ("chosen increments miss %.2g N mm of its work, energy_error shows %.2g"):format(missed, shown))
+    ("a rotating force: default increments have an error of %.2g N mm, energy_error is %.2g"):format(missed,
+      shown))
 end
 
--- Circular motion of radius r in full slip: each point lags by its own angle. The work of a turn is 2 pi mu
--- times the integral of p sqrt(r^2 - u^2), where u = d (1 - s^2 / 2) is the displacement by Hertz' pressure
--- times mu at the distance s a from the axis (exact at nu = 0, within 1 % at 0.3).
+-- Tests circular motion of radius r in full slip, where each point has its own lag. The work of a turn is 2
+-- pi mu times the integral of p sqrt(r^2 - u^2). Here u = d (1 - s^2 / 2) is the displacement by mu times
+-- Hertz' pressure at the distance s a from the axis (exact at nu = 0, within 1 % at nu = 0.3).
 do
   warnings.keep()
   local bodies = model{ geometry = "3-D", upper = body.ball{ radius = radius }, lower = body.block{}, mesh = { size = a / 14 } }
@@ -173,12 +187,15 @@ do
       local s = (i - 0.5) / points
       sum = sum + 3 * s * math.sqrt(1 - s * s) * math.sqrt(r * r - (d * (1 - s * s / 2)) ^ 2) / points
     end
-    local exact, label = 2 * math.pi * mu * load * sum, ("a circle of %g times the limit of partial slip"):format(times)
+    local exact, label = 2 * math.pi * mu * load * sum,
+      ("a circle with %g times the displacement at full slip as its radius"):format(times)
     local coarse, fine = turn(r, 64), turn(r, 128)
     within(fine, exact, 0.01, label .. ": work of a turn [N mm]")
-    within((2 * fine - coarse), exact, 0.001, label .. ": of first order, extrapolated from 64 and 128 increments")
+    within((2 * fine - coarse), exact, 0.001,
+      label .. ": work extrapolated from 64 and 128 increments [N mm]")
   end
-  ok(warnings.take():find "14 cells in its half width", "cells that are too large for friction are named")
+  ok(warnings.take():find "14 cells in its half width",
+    "a contact with too few cells for friction gives a warning")
 end
 
 -- Tests the map of stick, partial slip and gross slip against Mindlin's motions, on automatic cells.
@@ -186,6 +203,7 @@ do
   local limit = 3 * mu * load * 2 * 1.7 * 2.6 / 200e3 / (16 * a)
   local map = study.fretting_map{ friction = mu, load = { load }, motion = { 2e-4 },
     model = { geometry = "3-D", upper = body.ball{ radius = radius }, lower = body.block{} } }
-  within(map.gross_from[1], limit, 0.002, "gross slip from [mm]")
-  within(map.partial_from[1], limit * (1 - 0.9 ^ 2), 0.015, "partial slip from, where the rim is a tenth of the radius [mm]")
+  within(map.gross_from[1], limit, 0.002, "transition to gross slip [mm]")
+  within(map.partial_from[1], limit * (1 - 0.9 ^ 2), 0.015,
+    "transition to partial slip for a slip annulus of a tenth of the radius [mm]")
 end

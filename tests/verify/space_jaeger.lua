@@ -1,6 +1,8 @@
--- Tests random closed paths of load and tangential force on a ball of nu = 0 against Jaeger's superposition of
--- slices of load, which is exact for any path: motions at the ends of all legs, and the work of the second turn.
+-- Tests random closed paths of load and tangential force on a ball of nu = 0 against Jaeger's superposition
+-- of slices of load, which is exact for any path: displacements after each leg, and the work of the second
+-- turn.
 --   ARCHARD_RUNS=200 tests/run -a verify/space_jaeger   more paths
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below, mean = figures.below, figures.mean
@@ -47,7 +49,7 @@ local pair = { geometry = "3-D", upper = body.ball{ radius = radius, material = 
 local function both_ways(path)
   local s, c = slices.new(4000, most, mu, compliance), contact{ model = pair, load = path[1].load, friction = mu }
   local motions, works, energies = {}, {}, {}
-  local scale = mu * most / (2 * G * half_width(most)) -- motion under the force mu * most without slip
+  local scale = mu * most / (2 * G * half_width(most)) -- displacement under the force mu * most without slip
   jaeger_leg(s, path[1].load, 0)
   for turn = 1, 2 do
     local work, energy = 0, c.energy
@@ -62,8 +64,8 @@ local function both_ways(path)
   return motions, energies[2] / works[2] - 1, works[2] / (mu * most * scale)
 end
 
--- Errors of the work of a turn, the path between two reversals, are relative to this work. Turns that dissipate
--- less than 1/500 of the work in full slip are included in the mean only, and below 1/5000 not at all.
+-- The error of the work of a turn (once around the path) is relative to this work. Turns that dissipate less
+-- than 1/500 of the work in full slip are included in the mean only, and turns below 1/5000 not at all.
 local motion, worst, errors, largest, large = {}, 0, {}, 0, 0
 for i = 1, count do
   local motions, error, size = both_ways(corners())
@@ -75,7 +77,8 @@ for i = 1, count do
   figures.note(("path %d: motion off by up to %.3f %%, work by %.2f %% of %.2g"):format(i, 100 * math.max(table.unpack(motions)),
     100 * error, size))
 end
-below(mean(motion), 1e-4, ("motion of %d legs, mean error as a share of the largest motion"):format(#motion))
-below(worst, 1e-3, "motion, largest error")
+below(mean(motion), 1e-4,
+  ("displacements of %d legs, mean error as a fraction of the largest displacement"):format(#motion))
+below(worst, 1e-3, "displacements, largest error")
 below(mean(errors), 0.005, ("work of %d turns, mean error"):format(#errors))
 below(largest, 0.015, ("work of %d turns with much slip, largest error"):format(large))

@@ -1,8 +1,9 @@
--- Tests random histories in three dimensions: radii of 0.5 to 500 mm, E ratios up to 1000, layers, rigid
+-- Tests random histories in three dimensions: radii of 0.5 to 500 mm, ratios of E up to 1000, layers, rigid
 -- bases, maps, any alpha, motions along x and z, strokes of 0.1 to 4 contact widths, grooves, tracks, laws
 -- and local factors. Each run must end. With Archard's law the volume of both bodies must be k P d, and the
--- share of the upper body alpha.
+-- upper body's fraction of the volume alpha.
 --   ARCHARD_RUNS=500 tests/run verify/space_random   more runs (an hour)
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below = figures.below
@@ -17,7 +18,7 @@ local function even(from, to, points)
   return list
 end
 
--- Returns a body for a contact with the ball with half widths a (the smaller) and b [mm].
+-- Returns a lower body for a contact with a ball that has the half widths a (the smaller one) and b [mm].
 local function partner(E, a, b, approach)
   local kind = random()
   if kind < 0.2 then return body.block{ E = E, layers = { { thickness = a * between(0.3, 3), E = between(1e3, 1e6) } } } end
@@ -77,6 +78,6 @@ for i = 1, count do
     figures.note(("history %d: %s"):format(i, tostring(w)))
   end
 end
-figures.ok(ended == count, ("%d of %d histories end, in %d updates at most"):format(ended, count, updates))
-below(off, 1e-9, "volumes off k P d")
-below(share, 1e-9, "shares off alpha")
+figures.ok(ended == count, ("%d of %d histories end, with at most %d updates"):format(ended, count, updates))
+below(off, 1e-9, "largest error of the volumes, fraction of k P d")
+below(share, 1e-9, "largest error of the upper body's fraction of the volume")

@@ -1,9 +1,10 @@
 -- Tests stresses against the closed form for Hertz' pressure (McEwen): at the surface, also near the
--- contact's edge, and inside. At the surface they follow from the contact's tractions and the strain along
--- it. On worn surfaces the reference is the law of half-planes that the stress along the surface equals the
--- pressure. Errors are relative to the largest pressure. Finite bodies carry the load to their supports with
--- a tension along the surface, of the order of L / (pi R) and of p a / R, which half-planes do not have: 1 %
--- of the pressure here, counted as an error.
+-- contact's edge, and inside. At the surface they are computed from the tractions and the strain along the
+-- surface. On worn surfaces the reference is a law of half-planes: the stress along the surface equals the
+-- pressure. Errors are relative to the largest pressure. They include a tension along the surface, 1 % of the
+-- pressure, which half-planes do not have: finite bodies carry the load to their supports by a tension of the
+-- order of L / (pi R) and of p a / R.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below, within = figures.below, figures.within
@@ -70,17 +71,17 @@ for _, pair in ipairs{ { "steel on steel", steel, steel }, { "steel on nu = .499
   for _, size in ipairs{ 0.02, 0.01, pair[1] == "steel on steel" and 0.005 or nil } do
     local worst = errors_of({ cylinder = pair[2], plate = pair[3] }, size)
     local what = ("%s, %g um: "):format(pair[1], 1000 * size)
-    below(worst.surface, 0.02, what .. "surface, one and a half elements and more off the edge")
-    below(worst.free, 0.02, what .. "von Mises' stress at the free surface")
-    below(worst.inside, 0.02, what .. "inside, from the second row of nodes on")
-    below(worst.row, 0.035, what .. "first row of nodes inside, under the edge")
+    below(worst.surface, 0.02, what .. "surface, at least one and a half elements from the edge, error")
+    below(worst.free, 0.02, what .. "von Mises stress at the free surface, error")
+    below(worst.inside, 0.02, what .. "inside, from the second row of nodes on, error")
+    below(worst.row, 0.035, what .. "first row of nodes inside, error")
     below(worst.edge, 0.021,
-      what .. "surface next to the edge, where the pressure falls over an element")
+      what .. "surface nodes next to the edge, error")
   end
 end
 
--- Tests second-order convergence against the finest mesh: the stress along the surface at the centre and near
--- it, and the largest von Mises stress, r.m.s. over the same loads and both bodies [MPa].
+-- Tests second-order convergence against the finest mesh: the stress along the surface at and near the
+-- centre, and the largest von Mises stress, as root mean squares over the same loads and both bodies [MPa].
 local models = {}
 local function figures_at(size, load)
   models[size] = models[size] or model{ mesh = { size = size, height = 1.25 * size } }
@@ -116,8 +117,8 @@ for _, row in ipairs{ { "along", "stress along the surface" }, { "mises", "large
   figures.above(math.log(coarse / fine, 2), 1.7, what .. ": order of convergence from 20 to 10 um")
 end
 
--- Tests the largest von Mises stress at the nominal load and its limit: the stresses of the half-plane plus
--- the tension of finite bodies at the same position.
+-- Tests the largest von Mises stress at the nominal load, and its value on very fine meshes: the stress of
+-- the half-plane plus the tension of finite bodies at the same position.
 local function mises_of(xx, yy)
   local zz = 0.3 * (xx + yy)
   return math.sqrt(((xx - yy) ^ 2 + (yy - zz) ^ 2 + (zz - xx) ^ 2) / 2)
@@ -133,9 +134,10 @@ for _, body in ipairs{ "cylinder", "plate" } do
   local xx, yy = mcewen(0, math.abs(field.y[at]), exact.half_width, exact.p_max)
   local tension = field.sxx[at] - xx
   within(mises_of(xx, yy), 0.5575 * exact.p_max, 1e-4, body .. ": largest von Mises stress in a half-plane [MPa]")
-  figures.about(tension, 4.5, 1.5, body .. ": tension of the finite body there [MPa]")
+  figures.about(tension, 4.5, 1.5, body .. ": tension of the finite body at this position [MPa]")
   within(most, mises_of(xx + tension, yy), 1e-3, body .. ": largest von Mises stress, 2.5 um [MPa]")
-  within(math.max(table.unpack(default[body].mises)), most, 0.01, body .. ": the same at 20 um [MPa]")
+  within(math.max(table.unpack(default[body].mises)), most, 0.01,
+    body .. ": largest von Mises stress, 20 um [MPa]")
 end
 
 -- Tests worn surfaces, including kinks at the edges of scars. The stress along the surface equals the
@@ -162,7 +164,7 @@ for _, case in ipairs{ { "steel on steel", {}, { alpha = 0.5, load = 100 } },
       end
     end
     local what = ("worn, %s, %g um: stress along the surface + p, "):format(case[1], 1000 * size)
-    figures.above(least, -0.02, what .. "least share of p_max")
-    below(most, 0.065, what .. "largest share of p_max")
+    figures.above(least, -0.02, what .. "smallest fraction of p_max")
+    below(most, 0.065, what .. "largest fraction of p_max")
   end
 end

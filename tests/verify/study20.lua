@@ -31,9 +31,9 @@ for _, case in ipairs(cases) do
   end
 end
 ok(done == 20, "all cases are done")
-ok(worst_volume < 1e-9, ("every volume is k L d (to %.1e)"):format(worst_volume))
-ok(worst_share < 1e-9, ("the cylinder's share of it is alpha (to %.1e)"):format(worst_share))
-ok(worst_mirror < 1e-8, ("mirror images about x = 0 (to %.1e)"):format(worst_mirror))
+ok(worst_volume < 1e-9, ("every volume is k L d (error %.1e)"):format(worst_volume))
+ok(worst_share < 1e-9, ("the cylinder's fraction of the volume is alpha (error %.1e)"):format(worst_share))
+ok(worst_mirror < 1e-8, ("profiles and pressures are symmetric (error %.1e)"):format(worst_mirror))
 
 -- --- final values: an independent solution of the same problem -----------------------------------
 for _, row in ipairs(dofile(here .. "/lib/finals.lua")) do
@@ -51,20 +51,20 @@ for _, row in ipairs(dofile(here .. "/lib/finals.lua")) do
     near(course[#course], row[8], 0.02, name .. "last alpha-tilde")
   end
 end
-near(1e3 * case_of(20, 0.25).depth.plate, 0.0495, 1e-9, "2R: the plate wears evenly")
-near(case_of(20, 0).p_center, hertz{}.p_max, 1e-9, "2R, alpha = 0: Hertz' pressure stays")
+near(1e3 * case_of(20, 0.25).depth.plate, 0.0495, 1e-9, "2R: depth of uniform wear of the plate")
+near(case_of(20, 0).p_center, hertz{}.p_max, 1e-9, "2R, alpha = 0: Hertz' pressure does not change")
 
 -- --- findings ------------------------------------------------------------------------------------
 local reference = case_of(0.11, 0.5)
 local fall = 1 - reference.p_center / reference.history.p_center[1]
-ok(fall > 0.63 and fall < 0.71, ("s = a: the pressure falls by about two thirds (%.3f)"):format(fall))
+ok(fall > 0.63 and fall < 0.71, ("s = a: the pressure decreases by about two thirds (%.3f)"):format(fall))
 local lowest, highest = math.huge, 0
 for _, alpha in ipairs{ 0, 0.25, 0.5, 0.75, 1 } do
   local sum = case_of(0.11, alpha):combined().h
   local middle = sum[(#sum + 1) // 2]
   lowest, highest = math.min(lowest, middle), math.max(highest, middle)
 end
-ok(highest / lowest < 1.04, ("s = a: the sum of depths hardly depends on alpha (%.3f)"):format(
+ok(highest / lowest < 1.04, ("s = a: the sum of depths is almost independent of alpha (%.3f)"):format(
   highest / lowest))
 for _, alpha in ipairs{ 0.25, 0.5, 0.75 } do
   local case = case_of(0.11, alpha)
@@ -75,7 +75,7 @@ for _, alpha in ipairs{ 0.25, 0.5, 0.75 } do
   ok(worst < 0.086, ("s = a, alpha = %g: alpha-tilde within 8 %% of alpha (%.3f)"):format(alpha,
     worst))
   local over = case_of(20, alpha).history.depth_partition
-  ok(over[#over] > 0.96, ("2R, alpha = %g: alpha-tilde beyond 0.96"):format(alpha))
+  ok(over[#over] > 0.96, ("2R, alpha = %g: alpha-tilde exceeds 0.96"):format(alpha))
 end
 local share = case_of(0.11, 0.5):local_partition()
 for i, x in ipairs(share.x) do
@@ -87,17 +87,18 @@ local straight = case_of(0.44, 0).history
 local n = #straight.p_center
 local bow = straight.p_center[(n + 1) // 2] - (straight.p_center[1] + straight.p_center[n]) / 2
 ok(math.abs(bow) < 0.15 * (straight.p_center[1] - straight.p_center[n]),
-  "s = 4a, alpha = 0: the pressure falls almost in a straight line")
+  "s = 4a, alpha = 0: the pressure decreases almost linearly")
 
 -- --- findings of examples/paper/findings.lua ---------------------------------------------------------------
 local part = require "archard.lib.examples_folder".parts("study20", "paper")
 local findings = part "findings"
 local share = findings.partition(case_of(0.11, 0.25))
-near(share.off, 0.0855, 0.02, "s = a, alpha = 0.25: alpha-tilde is off alpha by 8.6 %")
-near(share.mean, 0.268, 5e-3, "its mean")
-near(findings.sum_spread(cases, 1), 0.0334, 0.03, "s = a: the sum of depths differs over alpha by 3.4 %")
-near((findings.swap(cases, 1)), 0.106, 0.03, "s = a: depths of swapped bodies differ by up to 10.6 %")
-near(findings.pressure_spread(cases, 1), 235.3 / 185 - 1, 0.03, "s = a: pressures at the centre by 28 %")
+near(share.off, 0.0855, 0.02, "s = a, alpha = 0.25: alpha-tilde differs from alpha by up to 8.6 %")
+near(share.mean, 0.268, 5e-3, "s = a, alpha = 0.25: mean of alpha-tilde")
+near(findings.sum_spread(cases, 1), 0.0334, 0.03, "s = a: the sum of depths varies over alpha by 3.4 %")
+near((findings.swap(cases, 1)), 0.106, 0.03, "s = a: depths with exchanged bodies differ by up to 10.6 %")
+near(findings.pressure_spread(cases, 1), 235.3 / 185 - 1, 0.03,
+  "s = a: centre pressures vary over alpha by 28 %")
 local compared = findings.compared{ { title = "here", cases = cases } }
 local columns, numbers = #compared[1], 0
 for i, row in ipairs(compared) do
@@ -105,16 +106,17 @@ for i, row in ipairs(compared) do
   local got, known = row[3]:match("^[%d.]+"), row[4]:match("^[%d.]+")
   if i > 1 and got and known and row[1]:find("depth of the", 1, true) then
     numbers = numbers + 1
-    near(tonumber(got), tonumber(known), 0.003, "paper, archard, independent: " .. row[1])
+    near(tonumber(got), tonumber(known), 0.003, "archard against the independent solution: " .. row[1])
   end
 end
-ok(numbers >= 3, "the page compares depths")
-ok(#findings.finals{ { title = "here", cases = cases } } == 31, "final values, three a case")
+ok(numbers >= 3, "the page compares at least three depths")
+ok(#findings.finals{ { title = "here", cases = cases } } == 31,
+  "the table of final values has three rows per case")
 local table_1 = findings.table_1(cases)
-ok(#table_1 == 21, "Table 1 as it was run")
+ok(#table_1 == 21, "Table 1 has a row for each case")
 for i, head in ipairs(table_1[1]) do
   if head:find "^Δh" then
-    ok(table_1[2][i] == "0.10" and table_1[18][i] == "0.12", "first depths by Eq. (28), r = 2 and 1")
+    ok(table_1[2][i] == "0.10" and table_1[18][i] == "0.12", "first depths by Eq. (28) in Table 1")
   end
 end
 
@@ -129,10 +131,12 @@ local function lopsided(increments, jump, rule, body)
 end
 for increments, expected in pairs{ [16] = 0.10, [40] = 0.040, [100] = 0.016, [200] = 0.008 } do
   local what = ("n_c = %d: "):format(increments)
-  near(lopsided(increments, 100, "simple", "plate"), expected, 0.03, what .. "the plate by Eq. (5)")
-  ok(lopsided(increments, 100, "simple", "cylinder") < 1.2e-4, what .. "the cylinder by Eq. (5)")
+  near(lopsided(increments, 100, "simple", "plate"), expected, 0.03,
+    what .. "asymmetry of the plate by Eq. (5)")
+  ok(lopsided(increments, 100, "simple", "cylinder") < 1.2e-4, what .. "asymmetry of the cylinder by Eq. (5)")
   for _, body in ipairs{ "cylinder", "plate" } do
-    ok(lopsided(increments, 100, "trapezoid", body) < 1e-12, what .. body .. " by Eq. (4)")
+    ok(lopsided(increments, 100, "trapezoid", body) < 1e-12,
+      what .. "no asymmetry of the " .. body .. " by Eq. (4)")
   end
 end
 
@@ -155,6 +159,7 @@ for _, each in ipairs{ { s, 8 }, { trials, 3 }, { meshes, 1 } } do
 end
 local page = part("page").html{ title = "A & B", lead = "<i>",
   figures = s:figures{ dir = folder .. "/figures" } }
-holds(page, { "A &amp; B", "&lt;i&gt;", 'src="fig14.svg"', "</html>" }, "a page around them")
+holds(page, { "A &amp; B", "&lt;i&gt;", 'src="fig14.svg"', "</html>" },
+  "the page contains the title, the text and the figures")
 
 os.execute("rm -r " .. folder)

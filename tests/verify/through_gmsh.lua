@@ -47,7 +47,8 @@ local function compare(s, of, v, w, share)
     end
   end
   -- equal up to the tolerance of implicit steps
-  within(v.volume.total, (s.wear.k or 1e-8) * v.load_distance, 1e-9, of .. "V = k integral normal force ds [mm3]")
+  within(v.volume.total, (s.wear.k or 1e-8) * v.load_distance, 1e-9,
+    of .. "volume by the integral of the normal force [mm3]")
 end
 
 for _, s in ipairs(shapes) do
@@ -56,7 +57,8 @@ for _, s in ipairs(shapes) do
   local c, d = contact{ model = by_gmsh, load = s.load }, contact{ model = own, load = s.load }
   local of = s.name .. " by Gmsh: "
   within(c.p_center, d.p_center, 0.01, of .. "centre pressure [MPa]")
-  below(math.abs(c.half_width - d.half_width), s.mesh.size / 2, of .. "half width, off by less than half an element [mm]")
+  below(math.abs(c.half_width - d.half_width), s.mesh.size / 2,
+    of .. "error of the half width, below half an element [mm]")
   -- frozen geometry against a run with moving geometry
   compare(s, of, run(s, by_gmsh, { geometry = "frozen" }), run(s, own), 0.01)
 
@@ -70,6 +72,6 @@ for _, s in ipairs(shapes) do
   of = s.name .. ", own mesh written and read: "
   within(e.p_center, d.p_center, 1e-9, of .. "centre pressure [MPa]")
   within(e.half_width, d.half_width, 1e-9, of .. "half width [mm]")
-  -- steps are solved to 1e-8
+  -- implicit steps are solved to a relative error of 1e-8
   compare(s, of, run(s, again, { geometry = "frozen" }), run(s, own, { geometry = "frozen" }), 5e-8)
 end

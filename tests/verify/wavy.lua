@@ -1,13 +1,14 @@
 -- Tests a wavy profile on a flat against Westergaard's closed form.
+
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
 
 -- --- waves --------------------------------------------------------------------------------------
 
--- By Westergaard's theory, with p* = pi E* D / l, waves that touch over the width 2 a of each length l carry the
--- mean pressure p* sin^2(pi a / l), and the pressure at the crest is 2 mean / sin(pi a / l). On a crowned
--- profile this holds for the wave in the middle.
+-- By Westergaard's theory, waves of amplitude D and length l that touch over the width 2 a of each wave carry
+-- the mean pressure p* sin^2(pi a / l) with p* = pi E* D / l, and the pressure at the crest is 2 mean /
+-- sin(pi a / l). On a crowned profile this holds for the wave in the middle.
 local length, height = 0.1, 1e-4
 local star = math.pi * 109890.1 * height / length
 local rough = contact{ load = 50, average = 0, model = {
@@ -24,5 +25,6 @@ for i, x in ipairs(at.x) do
   if at.p[i] > 0 then touching = touching + share * 0.002 end
 end
 local mean, sine = force / length, math.sin(math.pi * touching / 2 / length)
-figures.about(touching / length, 2 / math.pi * math.asin(math.sqrt(mean / star)), 0.02, "waves: share in contact, within an element")
+figures.about(touching / length, 2 / math.pi * math.asin(math.sqrt(mean / star)), 0.02,
+  "waves: fraction of the length in contact, to an element")
 within(rough.p_center, 2 * mean / math.sqrt(mean / star), 0.01, "waves: pressure at a crest [MPa]")

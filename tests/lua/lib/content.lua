@@ -1,4 +1,4 @@
--- Prints a run file of a study as text, without times; equal texts mean identical bits.
+-- Prints a run file of a study as text, without times; equal texts mean identical bits. Usage:
 --   archard tests/lua/lib/content.lua FILE
 
 local function add(lines, name, value)

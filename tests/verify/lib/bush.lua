@@ -1,5 +1,6 @@
--- Closed form at the angle t from the load if only the bush, of radius R and clearance c = gap, wears: depth
--- delta cos t - c and pressure p0 cos t for |t| < e, cos e = c / delta, and volume 2 R c (tan e - e).
+-- Wear of a bush alone, with radius R and clearance c = gap, in closed form at the angle t from the load:
+-- depth delta cos t - c and pressure p0 cos t within the contact |t| < e, where cos e = c / delta; worn
+-- volume 2 R c (tan e - e).
 local bush = {}
 
 -- Returns the half angle e of the contact [rad] for a worn volume.

@@ -31,7 +31,7 @@ function figures.mean(values, first)
   return sum / (#values - (first or 1) + 1)
 end
 
--- Returns the mean of the four cells of a joint's map around the direction of the load.
+-- Returns the mean of the four cells of a joint's map nearest to the direction of the load.
 function figures.in_the_middle(map)
   local n = #map.theta
   local function at(i, k) return map.values[(i - 1) * 2 * n + k] end

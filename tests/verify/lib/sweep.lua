@@ -15,11 +15,12 @@ local function largest_step(list)
   return step / largest
 end
 
-figures.about(largest_step{ 1, 2, 3, 4.5, 5.5, 6.5 }, 0.5 / 6.5, 1e-12, "a step is distinguished from a slope")
+figures.about(largest_step{ 1, 2, 3, 4.5, 5.5, 6.5 }, 0.5 / 6.5, 1e-12,
+  "a step is distinguished from a slope")
 
 -- Returns the function sweep(name, from, to, results, solve), where solve(x) returns the results by name.
--- most: largest allowed step of a result; noise: largest allowed relative change by rounding of the input;
--- usual: number of points without ARCHARD_POINTS.
+-- `most` is the largest allowed step of a result, `noise` the largest allowed relative change by rounding of
+-- the input, `usual` the number of points without ARCHARD_POINTS.
 return function(most, noise, usual)
   local points = wanted or usual or 24
   return function(name, from, to, results, solve)
@@ -31,10 +32,11 @@ return function(most, noise, usual)
         table.insert(found[of], r[of])
       end
     end
-    for _, of in ipairs(results) do figures.below(largest_step(found[of]), most, ("over %s: largest step of %s"):format(name, of)) end
+    for _, of in ipairs(results) do figures.below(largest_step(found[of]), most,
+      ("sweep of %s: largest step of %s"):format(name, of)) end
     local x = from + 0.37 * (to - from)
     local a, b, off = solve(x), solve(x * (1 + 1e-15)), 0
     for _, of in ipairs(results) do off = math.max(off, math.abs(b[of] / a[of] - 1)) end
-    figures.below(off, noise, ("over %s: an input of other rounding changes results by"):format(name))
+    figures.below(off, noise, ("sweep of %s: change of the results by rounding of the input"):format(name))
   end
 end
