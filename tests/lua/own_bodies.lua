@@ -140,6 +140,15 @@ end
 near(f.szz[top], 0.2 * (f.sxx[top] + f.syy[top]), 1e-12, "stress out of the plane uses nu of the layer")
 near(f.szz[deep], 0.3 * (f.sxx[deep] + f.syy[deep]), 1e-12, "stress out of the plane uses nu of the base")
 
+-- Near the axis of a body of revolution, the hoop stress approaches the radial stress, in a layer as well.
+local hard = contact{ load = 50, model = { geometry = "axisymmetric", lower = body.block{ layers = { { thickness = 0.1, E = 6e5 } } } } }
+f = hard:stress().plate
+local next_to_axis
+for i, x in ipairs(f.x) do
+  if f.y[i] == 0 and x > 0 and (not next_to_axis or x < f.x[next_to_axis]) then next_to_axis = i end
+end
+near(f.szz[next_to_axis], f.sxx[next_to_axis], 0.005, "hoop stress in a layer, next to the axis")
+
 -- Tests exported input decks: layers have their own materials, and bodies their names.
 local lined = contact{ load = 50, x = 1, model = { upper = body.disc{ radius = 9.5, name = "pin" }, mesh = coarse,
   lower = body.ring{ inner = 10, outer = 15, name = "bush", layers = { { thickness = 0.3, E = 1e5 } } } } }

@@ -85,35 +85,36 @@ static arc_status recover(const arc_contact *c, arc_body body, const double *xy,
   return status;
 }
 
-/* Stores Poisson's ratio at each node in szz, which serves as workspace. A node on an interface
- * has the ratio of the layer nearer to the surface. Elements are numbered from the surface
- * inwards. */
-static void fill_ratios(const elastic_body *body, arc_field *field) {
+/* Stores for each node in szz, which is used as workspace, the number of an element of its
+ * material, plus 1. A node on an interface has the material of the layer nearer to the surface.
+ * Elements are numbered from the surface inwards. */
+static void fill_elements(const elastic_body *body, arc_field *field) {
   const arc_mesh *m = body->mesh;
   for (int e = m->elements - 1; e >= 0; e--)
     for (int k = 0; k < arc_mesh_corners(m, e); k++) {
-      double *nu = &field->szz[m->element[4 * e + k]];
-      const double own = arc_body_elasticity(body, e).nu;
-      if (*nu == 0 || m->layer[e] < arc_body_layers(&m->solid)) *nu = own;
+      double *found = &field->szz[m->element[4 * e + k]];
+      if (*found == 0 || m->layer[e] < arc_body_layers(&m->solid)) *found = e + 1;
     }
 }
 
-/* Returns the stress normal to the section at node n. It is computed from the stresses in the
- * section, Poisson's ratio `nu` and the hoop strain. On the axis of revolution it equals the
+/* Returns the stress normal to the section at node n. It follows from the stresses in the
+ * section, the elasticity of the material there and the hoop strain. On the axis it equals the
  * radial stress. */
-static double stress_out(const elastic_body *body, const arc_field *field, int n, double nu) {
+static double stress_out(const elastic_body *body, const arc_field *field, int n, elasticity own) {
   const revolution *revolved = &body->chart.revolved;
   const double r = revolved->axis + field->x[n], in = field->sxx[n] + field->syy[n];
   if (body->space == ARC_PLANE_STRESS) return 0;
-  if (body->space == ARC_PLANE_STRAIN) return nu * in;
-  return r == 0 ? field->sxx[n] : body->material.E * field->ux[n] / r + nu * in;
+  if (body->space == ARC_PLANE_STRAIN) return own.nu * in;
+  const double modulus = 2 * (1 + own.nu) * own.c33;
+  return r == 0 ? field->sxx[n] : modulus * field->ux[n] / r + own.nu * in;
 }
 
 static void derive_invariants(const elastic_body *body, arc_field *field) {
-  fill_ratios(body, field);
+  fill_elements(body, field);
   for (int n = 0; n < field->nodes; n++) {
     const double x = field->sxx[n], y = field->syy[n], t = field->sxy[n];
-    const double z = stress_out(body, field, n, field->szz[n]);
+    const elasticity own = arc_body_elasticity(body, (int)field->szz[n] - 1);
+    const double z = stress_out(body, field, n, own);
     field->szz[n] = z;
     field->shear[n] = hypot((x - y) / 2, t);
     field->principal[n] = fmax((x + y) / 2 + field->shear[n], z);
