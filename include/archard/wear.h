@@ -141,11 +141,14 @@ typedef struct arc_loading {
         "different coefficients, give k_cylinder and k_plate (0 for a body that does not wear) "   \
         "instead of k and alpha, or give each body a k: model = { cylinder = { k = ... }, plate "  \
         "= { k = ... } }.")                                                                        \
-  OTHER(k_plate, "a number >= 0 mm2/N", NULL, 0,                                                   \
-        "Wear coefficient of the plate alone, k_p = (1 - alpha) k; give k_cylinder too.")          \
+  OTHER(                                                                                           \
+      k_plate, "a number >= 0 mm2/N", NULL, 0,                                                     \
+      "Wear coefficient of the plate alone, k_p = (1 - alpha) k. Set k_cylinder as well (0 for a " \
+      "body that does not wear).")                                                                 \
   NUMBER(load, "N", 100, ABOVE(0), 0,                                                              \
-         "Normal load L_N. For a load that varies during a cycle use loading; load is then the "   \
-         "load at which pressures and widths are reported.")                                       \
+         "Normal load L_N, in 2-D over the whole thickness of the bodies. For a load that varies " \
+         "during a cycle use loading; load is then the load at which pressures and widths are "    \
+         "reported.")                                                                              \
   NUMBER(load_angle, "degrees", 0, BETWEEN(-90, 90), 0,                                            \
          "Direction of the load in a hole: its angle from the point of first contact, positive "   \
          "towards +x. With loading, the angle at which pressures and widths are reported.")        \

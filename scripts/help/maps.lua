@@ -2,6 +2,10 @@
 -- of an entry.
 
 return {
+  { "body{x}", type = "list of numbers", unit = "mm", text = "Positions of the points of a profile or map along x." },
+  { "body{z}", type = "list of numbers", unit = "mm", text = "Positions of the points of a map along z." },
+  { "body{y}", type = "function, list of numbers or map", unit = "mm", text = "Heights of a profile or map, positive "
+    .. "out of the body: a function of x (of x and z for maps), a list of values, or a measured trace or map." },
   { "map", kind = "function", use = "map{ x=..., z=..., y=... }",
     text = "Values y on a grid of points (x, z) with constant steps: x along the motion, z across it, heights y "
       .. "upwards, in mm. y is a flat list: the value at x[i], z[j] is y[(i - 1)*#z + j]. Methods return new maps. "

@@ -56,7 +56,7 @@ local function shortened(text, most)
 end
 
 function show.first_sentence(text, most)
-  local flat = text:gsub("%s+", " ")
+  local flat = text:gsub(":\n\n.*", "."):gsub("%s+", " ")
   return shortened(flat:match("^(.-[.])%s%u") or flat, most)
 end
 
@@ -193,6 +193,7 @@ Session      who()  session.save("s.archard")  session.open("s.archard")
              examples()  examples.run("wear")  time(f)
 Topics       help "units"  "running in"  "files"  "meshes"  "gmsh"  "3-D"
              "steps"  "accuracy"  "fretting"  "warning"  "limits"  "glossary"
+             "run time"  "troubleshooting"  "citation"
 
 help(wear) explains an object, help(w.step) a method, help "jump" a name,
 help "fretting map" any words; help.search "stability" searches all texts.
