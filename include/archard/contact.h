@@ -136,8 +136,8 @@ extern const char *const arc_press_names[];
   NUMBER(x, "mm", 0, ANY, 0,                                                                       \
          "Position of the plate. In a hole it is the arc length, radius times angle.")             \
   NUMBER(load_angle, "degrees", 0, BETWEEN(-90, 90), 0,                                            \
-         "Direction of the load in a hole: its angle from the point of first contact, positive "   \
-         "towards +x.")                                                                            \
+         "Direction of the load on a pin in a hole: angle between the load and the line from the " \
+         "centre of the hole to the point of first contact, positive towards +x.")                 \
   NUMBER(average, "mm", 0.08, FROM(0), 0,                                                          \
          "Length over which p_average averages the pressure, at least four elements. 0: no "       \
          "averaging; p_average is then p_max.")                                                    \

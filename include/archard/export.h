@@ -25,7 +25,7 @@ arc_status arc_export_vtk(const char *path, const arc_mesh *mesh, const arc_fiel
 /* Surface values X(name, unit, text) at the nodes in a .vtu file. The values are 0 outside the
  * candidate surface. */
 #define ARC_SURFACE_COLUMNS(X)                                                                     \
-  X(wear_depth, "mm", "wear depth, the sum of the depths along the normals")                       \
+  X(wear_depth, "mm", "wear depth: sum over all updates of the depths along the normals")          \
   X(pressure, "MPa", "contact pressure")
 
 /* Writes a VTK unstructured grid (.vtu, XML with appended binary data) of one body. With a contact

@@ -67,7 +67,7 @@ extern const char *const arc_space_names[];
       element, element, ARC_ELEMENT_AUTO, 0,                                                       \
       "Formulation: fully integrated bilinear (CPE4), or with incompatible modes (CPE4I), which "  \
       "do not lock in bending or for nu near 1/2. \"auto\": CPE4 for bodies with nu up to "        \
-      "0.4, CPE4I for others.")
+      "0.4, CPE4I for bodies with larger nu.")
 
 typedef struct arc_mesh_def {
   ARC_MESH_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE)

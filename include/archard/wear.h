@@ -109,8 +109,8 @@ typedef struct arc_loading {
                                NULL: the position x is prescribed */
   const double *rotation;   /* [count] rotation of the lower body in holes [degrees]; x is then 0.
                                NULL: no rotation */
-  const double *load_angle; /* [count] direction of the load in holes [degrees]; NULL: load_angle of
-                               the definition */
+  const double *load_angle; /* [count] angle of the load in holes [degrees], see the setting
+                               load_angle; NULL: load_angle of the definition */
   double cycles; /* number of cycles > 0. It may be INFINITY in the last block, which then lasts to
                     the end of the distance */
   int periodic;  /* 1: the cycle repeats; 0: the block runs once, with an update at every increment
@@ -128,8 +128,9 @@ typedef struct arc_loading {
            "on one body as k_cylinder or k_plate. k can also be a function of the state (help "    \
            "\"state\"), or a table that is interpolated linearly over the distance; two values "   \
            "at the same distance define a jump, and an update ends there. Both are integrated "    \
-           "over each update. A function is evaluated at least 1.6 times a cycle, in runs of "     \
-           "more than 2000 cycles at least 3236 times a run; shorter peaks may be missed.")        \
+           "over each update. A function is evaluated at least 1.6 times a cycle, or at least "    \
+           "3200 times in a run of more than 2000 cycles: peaks shorter than a cycle, or than a "  \
+           "3000th of a long run, may be missed.")                                                 \
   QUANTITY(alpha, "", 0.5, WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                                \
            "Wear partition factor k_c / k (Eq. 19 of the paper): the upper body's (cylinder's) "   \
            "share of the wear volume. 0: only the plate wears, 1: only the cylinder (pin, ball) "  \
@@ -150,16 +151,17 @@ typedef struct arc_loading {
          "during a cycle use loading; load is then the load at which pressures and widths are "    \
          "reported.")                                                                              \
   NUMBER(load_angle, "degrees", 0, BETWEEN(-90, 90), 0,                                            \
-         "Direction of the load in a hole: its angle from the point of first contact, positive "   \
-         "towards +x. With loading, the angle at which pressures and widths are reported.")        \
+         "Direction of the load on a pin in a hole: angle between the load and the line from the " \
+         "centre of the hole to the point of first contact, positive towards +x. With loading, "   \
+         "the angle at which pressures and widths are reported.")                                  \
   NUMBER(stroke, "mm", 0.11, ABOVE(0), 0,                                                          \
          "Stroke s_t of the plate, from one end to the other, twice the amplitude. In a "          \
          "reciprocating test give cycles = frequency times time; results do not depend on the "    \
          "frequency or on whether the motion is sinusoidal. For fretting give friction too: "      \
-         "wear{ friction=0.6, stroke=0.05 } has an amplitude of 25 um. With a stroke of twice "    \
-         "the radius the whole plate passes the cylinder in one direction, and a cycle is one "    \
-         "stroke instead of two. The strokes in the reference paper are 0.11, 0.22, 0.44 mm (a, "  \
-         "2a, 4a; a is the half width of the contact) and 20 mm (2R).")                            \
+         "wear{ friction=0.6, stroke=0.05 } has an amplitude of 25 um. If the stroke is twice "    \
+         "the radius, the whole plate slides under the contact once, in one direction: a cycle "   \
+         "has one stroke instead of two. The strokes in the reference paper are 0.11, 0.22, 0.44 " \
+         "mm (a, 2a, 4a; a is the half width of the contact) and 20 mm (2R).")                     \
   NUMBER(distance, "mm", 1320, ABOVE(0), ARC_OPTIONAL,                                             \
          "Sliding distance d_t to simulate. Give distance or cycles. With loading, the default "   \
          "is the end of its last block.")                                                          \
@@ -169,10 +171,10 @@ typedef struct arc_loading {
   QUANTITY(                                                                                        \
       jump, "cycles", 0, ABOVE(0), ARC_AUTOMATIC | ARC_FUNCTION,                                   \
       "Number of cycles between two updates of the geometry (N-bar in the paper). \"auto\": the "  \
-      "number follows from an estimate of the error, and each update is of second order, in "      \
-      "several stages. With a number, pressures stay constant between two updates, as in the "     \
-      "paper; too large a number is unstable and causes sawtooth ripples, see w:stability(). A "   \
-      "function computes the number from the state before each update.")                           \
+      "number follows from an estimate of the error, and each update is computed in several "      \
+      "stages, with second order. With a number, pressures stay constant between two updates, as " \
+      "in the paper; too large a number is unstable and causes sawtooth ripples, see "             \
+      "w:stability(). A function computes the number from the state before each update.")          \
   WHOLE(increments, "", 0, EVEN(2, 100000), ARC_AUTOMATIC,                                         \
         "Number n_c of increments in a full cycle. Only half of them are simulated, since both "   \
         "strokes are alike (Eq. 22). \"auto\": 100, or as many as are needed for the plate to "    \
@@ -182,10 +184,10 @@ typedef struct arc_loading {
          "With moving geometry: the displacement of a surface node by wear at which the "          \
          "stiffness of the worn body is recomputed, as a fraction of the height of the element. "  \
          "Smaller values are more accurate and slower; the default suffices for most runs. In a "  \
-         "layer the limit is also 0.2 times this fraction of the remaining thickness, and along "  \
-         "the surface it is 0.01 times this fraction of the element width. Between two "           \
-         "computations the stiffness is corrected to first order (not with layers). 0: it is "     \
-         "recomputed at every update.")                                                            \
+         "layer a fifth of the remaining thickness replaces the height if it is less. Along the "  \
+         "surface the limit is 0.01 times this fraction of the element width. Between two "        \
+         "computations the stiffness is corrected to first order (not with layers). 0: the "       \
+         "stiffness is recomputed at every update.")                                               \
   CHOICE(                                                                                          \
       corrections, corrections, ARC_CORRECTIONS_ALL, 0,                                            \
       "\"none\": the finite elements alone, without the terms that correct their errors at short " \
@@ -281,7 +283,7 @@ typedef struct arc_loading {
         "a distance the run ends with the last block; a last block without cycles lasts to the "   \
         "end of the distance. Pressures and widths are reported at the field load of wear{}, by "  \
         "default the largest load of the loading. \n\nIn a hole, the field rotation (degrees) "    \
-        "turns the lower body and replaces x; load_angle (degrees) is the direction of the load. " \
+        "turns the lower body and replaces x; load_angle (degrees) is the angle of the load. "     \
         "Meshes reach 80 degrees to either side: a narrow contact can rotate by about 70 "         \
         "degrees, a wide contact by less. A full rotation is not possible. \n\ncsv.read(path) "    \
         "reads measured lists.")                                                                   \
@@ -352,18 +354,20 @@ double arc_wear_def_stroke(const arc_wear_def *def);
  * long as the plate is wide. */
 double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model);
 
-/* One row of the history: the state after an update (row 0: before the first update). Pressures and
- * widths are those of the reference configuration: the plate at x = 0 under the nominal load. The
- * columns load, load_low, travel and p_peak are values of the cycle of the update. If a loading
- * block runs once, they are values of the increment of the update (row 0: of the first increment).
- * p_peak is the largest pressure under the loads of the cycle on the surfaces of this row; without
- * a loading it is at least p_max. With updates at every increment it is the largest pressure over
- * the increments solved, and in row 0 it equals p_max. Columns that are absent in older files are
- * NaN.
+/* One row of the history: the state after an update (row 0: before the first update). Pressures
+ * (except p_peak) and widths refer to the plate at x = 0 under the nominal load. load, load_low and
+ * travel refer to the cycle whose wear the update applied or, in a block of loading that runs once,
+ * to the increment of the update (row 0: to the first cycle or increment). p_peak is
+ *   - the largest pressure in a cycle on the surfaces of this row, and at least p_max if there is
+ *     no loading;
+ *   - with updates at every increment: the largest pressure in the solved increments of the update;
+ *     in row 0 p_max.
+ * Columns that are absent in older files are NaN.
  *
- * Each column is X(name, unit, range, rule, text). A value outside the closed range
- * (archard/setting.h) makes the step fail with ARC_NUMERIC; a file with such a value is reported as
- * damaged. The rule is one of these: */
+ * Each column is X(name, unit, range, rule, text). The range contains its limits and is written as
+ * in archard/setting.h, for example FROM(0) for values >= 0. A value outside the range makes the
+ * step fail with ARC_NUMERIC; a file with such a value is reported as damaged. The rule is one of
+ * these: */
 typedef enum arc_column_rule {
   ARC_COLUMN_LATER,  /* the column may be absent in older files, or undefined in the first rows; its
                         values are NaN before the first number, but not after it */
@@ -391,7 +395,7 @@ typedef enum arc_column_rule {
   X(depth_plate, "mm", FROM(0), ALWAYS, "largest wear depth of the plate")                         \
   X(volume_cylinder, "mm3", FROM(0), ALWAYS, "wear volume of the cylinder")                        \
   X(volume_plate, "mm3", FROM(0), ALWAYS, "wear volume of the plate")                              \
-  X(load_distance, "N mm", FROM(0), LATER, "load (in holes: normal force) times sliding distance") \
+  X(load_distance, "N mm", FROM(0), LATER, "load (holes: normal force) integrated over distance")  \
   X(depth_partition, "", FROM(0), LATER, "depth partition factor alpha-tilde; NaN if unworn")      \
   X(error, "", FROM(0), LATER, "estimated error of the step divided by the tolerance")             \
   X(solutions, "", FROM(0), ALWAYS, "number of contact solutions so far")                          \

@@ -163,7 +163,7 @@ local function refuse_many(where, axes)
   local how, values = table.concat(words, " times "), count * #axes
   settings.check_count(where, "vary", count, how)
   if values <= most_values then return end
-  check.fail(where, ("field 'vary': expected at most %d values in all cases, got %.0f (%s)"):format(most_values, values, how))
+  check.fail(where, ("field 'vary': expected at most %d values in total over all cases, got %.0f (%s)"):format(most_values, values, how))
 end
 
 -- Returns all combinations of the varied values, one table of flat settings for each case. The last name

@@ -177,7 +177,7 @@ local function read_profile(where, prefix, given)
     check.fail(where, ("field '%s': expected profile=, or x= and h= [mm], or of=, distance= and "
       .. "value=, or loop=, got none of these"):format(prefix))
   end
-  refuse_others(where, prefix, given, of_loops, "loops, but this measurement is a profile")
+  refuse_others(where, prefix, given, of_loops, "loops; this measurement is a profile")
   if given.body == nil or of_joints[given.body] then
     check.refuse(where, prefix .. ".body", '"cylinder" or "plate"; head and cup have maps: map = w:map "cup"', given.body)
   end
@@ -198,7 +198,7 @@ end
 
 local function read_map(where, prefix, given)
   refuse_others(where, prefix, given, { "profile", "x", "h", "section", "shift", "tilt", "level", "of", "value", "loop", "compliance" },
-    "other data, but this measurement is a map")
+    "other measurements; this one is a map")
   if not of_joints[given.body] then check.refuse(where, prefix .. ".body", '"head" or "cup"', given.body) end
   need_distance(where, prefix, given, "map")
   return maps.item(given, errors_of(where, prefix, given, nil, given.map.values))
@@ -206,7 +206,7 @@ end
 
 local function read_loop(where, prefix, given, by_force)
   refuse_others(where, prefix, given, { "profile", "x", "h", "body", "section", "tilt", "of", "value" },
-    "other data, but this measurement is a loop { x=, tangential= }")
+    "other measurements; this one is a loop { x=, tangential= }")
   need_distance(where, prefix, given, "loop")
   local values = by_force and given.loop.x or given.loop.tangential
   return loops.item(given, errors_of(where, prefix, given, nil, values), by_force)

@@ -461,8 +461,8 @@ return {
   { "wear.volume.total", kind = "field", unit = "mm3",
     text = "Wear volume of both bodies together. For constant k and load L_N it is k L_N d after the distance d." },
   { "wear.depth_partition", kind = "field",
-    text = "Wear depth partition factor alpha-tilde: the cylinder's share of the sum of both largest depths (Eq. "
-      .. "29)." },
+    text = "Wear depth partition factor alpha-tilde: the largest depth of the cylinder divided by the sum of the "
+      .. "largest depths of both bodies (Eq. 29 of the paper)." },
 
   -- --- fields of the definition -----------------------------------------------------------------
   { "wear.stroke", kind = "field", unit = "mm",
@@ -470,7 +470,7 @@ return {
       .. "column travel of the history has the stroke of each update." },
   { "wear.strokes", kind = "field",
     text = "Number of strokes per cycle, r of Eq. (21). It is 2, or 1 if the stroke is twice the radius, because "
-      .. "the plate then passes in one direction only." },
+      .. "the plate then slides in one direction only." },
   { "wear.k_cylinder", kind = "field", unit = "mm2/N",
     text = "Wear coefficient of the cylinder, alpha k, in the last update." },
   { "wear.k_plate", kind = "field", unit = "mm2/N",

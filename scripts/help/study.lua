@@ -86,10 +86,10 @@ return {
     text = "For the element size: accepted relative difference of the largest unworn pressure from Hertz' "
       .. "pressure." },
   { "study.converge{smooth}", type = "number", default = 0.005,
-    text = "For the jump: accepted sawtooth of the pressure in the middle of the contact, root mean square "
-      .. "relative to the pressure at the centre. Kinks and coarse meshes also cause a sawtooth; therefore the "
-      .. "sawtooth of a reference run in small steps is subtracted. If this limit is below a quarter of the "
-      .. "sawtooth of the reference run, a quarter is accepted, and the result has a note." },
+    text = "For the jump: largest accepted sawtooth, the oscillation of the pressure from node to node in the "
+      .. "middle of the contact (root mean square divided by p_center). Kinks and coarse meshes also cause a "
+      .. "sawtooth; therefore the sawtooth of a reference run in small steps is subtracted. The accepted value is "
+      .. "at least a quarter of the sawtooth of the reference run; if this increases it, the result has a note." },
   { "study.converge{symmetric}", type = "number", default = 1e-3,
     text = "For the jump: accepted difference between a profile and its mirror image, relative to its depth." },
   { "study.converge{profile}", type = "number", default = 0.005,

@@ -149,8 +149,8 @@ return {
       .. '"dots" selects Braille dots and "dumb" characters; "window" is the first of qt, wxt and x11 that '
       .. "gnuplot supports." },
   { "plot{file}", type = "string",
-    text = "File to draw to, by its ending: png, svg, pdf, eps, gif, txt, or gp for gnuplot's commands. An "
-      .. "existing file is replaced only when the new one is complete." },
+    text = "Name of the file for the plot. Its ending selects the format: png, svg, pdf, eps, gif, txt, or gp for "
+      .. "gnuplot's commands. An existing file is replaced only when the new one is complete." },
   { "plot{xlabel}", type = "string", text = "Label of the x axis." },
   { "plot{ylabel}", type = "string", text = "Label of the y axis." },
   { "plot{vlabel}", type = "string", text = "Label of the colour scale of a field." },

@@ -8,8 +8,8 @@ degrees. In 2-D a load acts on the whole thickness of the bodies, 1 mm by defaul
 three dimensions it is the total force.
 
 The travelled distance d [mm] counts both strokes of a cycle (to and fro): d = cycles * strokes * stroke, with two strokes per
-cycle; with track = r a cycle is a revolution, d = cycles * 2 pi r. If the stroke is 2 * radius, the whole width of the
-cylinder, the plate passes in one direction only, and a cycle has one stroke. Depths are in mm; tables and plots in um have this unit in
+cycle; with track = r a cycle is a revolution, d = cycles * 2 pi r. If the stroke is 2 * radius, the width of the
+cylinder, the plate slides in one direction only, and a cycle has one stroke. Depths are in mm; tables and plots in um have this unit in
 their labels.
 
 k = 1e-8 mm2/N means that both bodies together lose 1e-8 mm3 per N of load and mm of sliding. Other units of k:
@@ -27,11 +27,13 @@ Columns of run files have units in their names (half_width_mm); the view `units`
 
   { "glossary", [[
 Terms, each with its symbol in the paper and its unit in brackets. Equation numbers in the help refer to this paper: Mattei and Di Puccio,
-"Influence of the wear partition factor on wear evolution modelling of sliding surfaces".
+"Influence of the wear partition factor on wear evolution modelling of sliding surfaces". In the help and in names of results, "cylinder" is
+the upper body and "plate" the lower body, whatever their shapes; results also have the names of the bodies, such as w.depth.ball.
 
   alpha          [alpha] wear partition factor k_c / (k_c + k_p): the upper
                  body's share of the wear; 0 to 1
-  alpha-tilde    depth partition factor, as alpha but for the largest depths
+  alpha-tilde    depth partition factor: largest depth of the cylinder divided
+                 by the sum of the largest depths of both bodies
   approach       rigid displacement of one body towards the other [mm]
   cycle          one period of the motion; [N] is the number of cycles
   depth          [h] wear depth, normal to the surface [mm]; [h_c], [h_p] of
@@ -161,9 +163,9 @@ One update of the geometry represents many cycles (cycle jump). These fields of 
 
   jump = "auto"        default: explicit steps, with an error estimate
   scheme = "implicit"  long steps, controlled by tolerance (default 1e-3)
-  jump = 50            steps of 50 cycles. On elements of 20 um, the paper has
-                       100 in most cases with a stroke of 0.11 mm, and 20 to
-                       50 for longer strokes
+  jump = 50            steps of 50 cycles. For elements of 20 um, the paper
+                       uses 100 cycles in most cases with a stroke of 0.11
+                       mm, and 20 to 50 cycles for longer strokes
 
 A fixed jump above a stability limit causes ripples, which make the surfaces rough; w:stability() computes the limit. A run above
 the limit prints a warning and ends when ripples appear. The limit decreases with longer strokes and smaller elements. A jump below
@@ -208,8 +210,8 @@ load; a misaligned flat or roller is a sloping profile, body.profile{ y=function
 parameters of profiles are computed (profile.roughness), but no areal parameters such as Sq. There is no generator
 of random rough surfaces; a function y(x, z) in map{} can add waves, as in examples "rough_ball".
 
-Wear is a volume in mm3. Mass loss is the volume times the density: 1 mg of 1 g/cm3 is 1 mm3. If you measured a mass,
-convert it to a volume for calibrate{}.]] },
+Wear is a volume in mm3: the mass loss divided by the density. For example, 1 mg of steel (7.85 g/cm3) is 0.127 mm3. Convert a measured
+mass loss to a volume for calibrate{}.]] },
 
   { "accuracy", [[
 Errors of a run are due to the mesh, to the steps, and to the data. To estimate these errors:

@@ -42,9 +42,10 @@ return {
     text = "Lognormal distribution of a positive number such as a wear coefficient, for study{ sample={ "
       .. "k=lognormal{ mean=1e-8, variation=0.4 } } }. If one standard deviation is a scatter by a factor f, the "
       .. "variation is sqrt(exp(log(f)^2) - 1): 0.79 for a factor of 2, 1.5 for 3." },
-  { "lognormal{mean}", type = "number > 0", text = "Mean of the number itself, in the unit of the field." },
-  { "lognormal{deviation}", type = "number > 0", text = "Standard deviation of the number itself, in the "
-    .. "unit of the field." },
+  { "lognormal{mean}", type = "number > 0",
+    text = "Mean of the values (not of their logarithms) before truncation, in the unit of the field." },
+  { "lognormal{deviation}", type = "number > 0",
+    text = "Standard deviation of the values (not of their logarithms) before truncation, in the unit of the field." },
   { "lognormal{variation}", type = "number > 0",
     text = "Coefficient of variation, deviation / mean, instead of deviation." },
   { "lognormal{low}", type = "number", text = "Lower limit of a truncated distribution." },

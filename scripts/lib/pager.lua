@@ -1,5 +1,6 @@
--- Shows a text that is longer than the terminal page by page, with the program $PAGER or less, or with own
--- code if there is no such program. Prints the text if it is shorter or if there is no terminal.
+-- Shows a text that is longer than the terminal page by page. The pager is the program in the environment
+-- variable PAGER, or `less`, or, if neither is available, the functions of this file. A shorter text is
+-- printed, and so is any text if there is no terminal.
 
 local term = require "archard.term"
 

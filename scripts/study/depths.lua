@@ -10,11 +10,11 @@ local depths = {}
 
 local where = "calibrate"
 local first_k = 1e-8        -- initial value of k in the search [mm2/N]
--- Largest plausible k [mm2/N], above that of all sliding pairs. A larger k means that the depths are not in
--- mm.
+-- Largest plausible k [mm2/N], larger than the k of all known sliding pairs. If depths need a larger k, they
+-- are probably not in mm.
 local largest_k = 1e-5
 local most_runs, farthest = 40, 5 -- largest number of runs in a search; largest step of ln k
-local agreement = 0.05      -- relative tolerance of the simulated sum of both depths if the user gives k
+local agreement = 0.05      -- relative tolerance of the simulated sum of depths, if the user gives k
 
 -- --- one run ---------------------------------------------------------------------------------------
 
@@ -40,19 +40,21 @@ end
 local function check_unit(sum, simulated, k)
   local needed = k * (sum / simulated) ^ 1.5 -- the worn volume grows as about h^1.5
   if needed <= largest_k then return end
-  check.fail(where, ("field 'depth': the sum of %.4g mm would need a k of about %.1g mm2/N: expected "
-    .. "depths in mm (are they in um?)"):format(sum, needed))
+  check.fail(where, ("field 'depth': the sum of both depths, %.4g mm, would need a k of about %.1g mm2/N: "
+    .. "expected depths in mm (are they in um?)"):format(sum, needed))
 end
 
 -- --- the search ------------------------------------------------------------------------------------
 
--- Returns the initial inverse Jacobian of the two residuals. It assumes that depths grow as k^(2/3) and the
--- share as alpha. The row and column of a fixed unknown are zero.
+-- Returns the initial inverse Jacobian of the two residuals. It assumes that depths are proportional to
+-- k^(2/3), and that the cylinder's share changes as much as alpha. The row and column of a fixed unknown are
+-- zero.
 local function begin_inverse(seeks)
   return { { seeks[1] and 1.5 or 0, 0 }, { 0, seeks[2] and 1 or 0 } }
 end
 
--- Applies Broyden's update to the inverse Jacobian `h`, after a step `dx` that changed the residuals by `df`.
+-- Applies Broyden's update to the inverse Jacobian `h` after a step `dx`, which changed the residuals by
+-- `df`.
 local function update(h, dx, df)
   local to = { h[1][1] * df[1] + h[1][2] * df[2], h[2][1] * df[1] + h[2][2] * df[2] }
   local from = { dx[1] * h[1][1] + dx[2] * h[2][1], dx[1] * h[1][2] + dx[2] * h[2][2] }
@@ -92,8 +94,8 @@ local function search(target, start, options)
     dx, before = step_from(x, h, f), f
     x = { x[1] + dx[1], x[2] + dx[2] }
   end
-  check.fail(where, ("no k and alpha found that give the measured depths (sum %.4g mm, share of the cylinder %.3g"
-    .. ")"):format(target.sum, target.share), "NOT_CONVERGED")
+  check.fail(where, ("no k and alpha found that give the measured depths (sum of both depths %.4g mm, depth of the "
+    .. "cylinder / this sum = %.3g)"):format(target.sum, target.share), "NOT_CONVERGED")
 end
 
 -- --- all measurements ------------------------------------------------------------------------------
@@ -103,10 +105,10 @@ end
 local function refuse_k(found, sum)
   if math.abs(found.sum / sum - 1) <= agreement then return end
   check.fail(where, ("field 'k': with this k the sum of both depths is %.4g mm, but the measured sum is %.4g mm; "
-    .. "without the field k is computed, too"):format(found.sum, sum))
+    .. "without the field, k is computed, too"):format(found.sum, sum))
 end
 
--- Searches k and alpha for each test separately. Returns their standard deviations over the tests and the
+-- Searches for k and alpha of each test separately. Returns their standard deviations over the tests, and the
 -- number of runs.
 local function spreads(cylinder, plate, from, options)
   local k, alpha, runs = {}, {}, 0

@@ -1,4 +1,4 @@
--- Reads and changes numbers in the definition of a run by their names, for sensitivities.
+-- Reads and changes single numbers in the definition of a run by their names, for w:sensitivity{}.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
@@ -17,7 +17,7 @@ local ends = { distance = true, cycles = true }
 
 -- --- names ---------------------------------------------------------------------------------------
 
--- Returns the names of all numbers of wear{} and the bodies, except those of the mesh.
+-- Returns the names of all numbers in a definition: fields of wear{} and of the bodies, but not of the mesh.
 local function names_of(definition)
   local names = {}
   for name, value in pairs(definition) do
@@ -29,7 +29,7 @@ local function names_of(definition)
   return names
 end
 
--- Returns the names of the wear coefficients of bodies that have their own k.
+-- Returns the names of all wear coefficients of the model that are above 0, such as "plate.k".
 local function coefficients(definition)
   local names = {}
   for path, value in pairs(definition.flat) do
@@ -77,13 +77,14 @@ local function of_couple(run, name, definition)
   end
 end
 
--- Returns the value at a path, or nil. A body without a radius has the radius of the model.
+-- Returns the value at a path, or nil. If a body has no radius, its path "radius" has the radius of the
+-- model.
 local function value_at(flat, path)
   return flat[path] or path:match("%.radius$") and flat["model.radius"]
 end
 
--- Returns the value of a number of the model, and a function that returns the definition with a new value. If
--- both bodies have the number, their values must be equal.
+-- Returns the value of a number of the model, and a function that returns the definition with a new value. A
+-- name without a body, such as "E", may mean both bodies. Both values, which must be equal, are then changed.
 local function of_model(run, name, definition)
   local flat, paths = definition.flat, number.paths(name, definition.flat)
   local there = value_at(flat, paths[1])

@@ -1,5 +1,6 @@
 -- Makes the cases of a sampled study. The values depend only on the distributions, the design and the seed.
--- Correlations apply to the normal scores of the fields, so that each field has the given distribution.
+-- Correlations apply to the normal scores of the fields: their values transformed to a normal distribution.
+-- Therefore correlations do not change the distribution of a field.
 
 local check = require "archard.lib.check"
 local distributions = require "archard.uncertainty.distributions"
@@ -21,7 +22,7 @@ local function fields_of(where, given, flat)
     local setting = number.setting(path)
     if setting then number.check(where, "sample." .. name, setting) end
     if there[path] then
-      check.fail(where, ("fields 'sample.%s' and 'sample.%s': both are %s"):format(there[path], name, path))
+      check.fail(where, ("fields 'sample.%s' and 'sample.%s': both mean the field %s"):format(there[path], name, path))
     end
     list[#list + 1], there[path] = { name = path, distribution = distribution }, name
   end
@@ -53,7 +54,7 @@ local function position(where, fields, name, flat)
     if field.name == paths[1] then return i end
     known[i] = field.name
   end
-  check.fail(where, ("field 'sample.correlated': '%s' is not sampled%s"):format(tostring(name),
+  check.fail(where, ("field 'sample.correlated': '%s' is not a sampled field%s"):format(tostring(name),
     check.hint(tostring(name), known)))
 end
 
@@ -137,8 +138,8 @@ local function check_design(where, sample, given)
     check.refuse(where, "n", "at least 16 with indices", sample.n)
   end
   if sample.indices and given.correlated ~= nil then
-    check.fail(where, "field 'indices': indices split the variance among independent fields; the "
-      .. "fields are correlated")
+    check.fail(where, "field 'indices': expected no field 'sample.correlated', because indices divide "
+      .. "the variance among independent fields")
   end
 end
 
@@ -187,7 +188,7 @@ local function with_exchanges(sample, columns, i, cases)
   end
 end
 
--- Returns all cases of the design: n cases or, with indices, n (number of fields + 2) cases.
+-- Returns all cases of the design: n cases or, with indices, n * (number of fields + 2) cases.
 function design.cases(sample)
   local dimensions = #sample.fields * (sample.indices and 2 or 1)
   local columns, cases = random.points(sample.design, sample.n, dimensions, sample.seed), {}
@@ -203,8 +204,8 @@ end
 
 -- --- text in a run file --------------------------------------------------------------------------
 
--- Returns the definition of the samples as text for the run file. The cases in the file contain the sampled
--- values.
+-- Returns the definition of the samples as text for the run file. The text does not contain the sampled
+-- values, which the file stores with the cases.
 function design.text(sample)
   local lines = { ("%s n=%d seed=%d indices=%s"):format(sample.design, sample.n, sample.seed,
     tostring(sample.indices)) }

@@ -7,8 +7,8 @@ local strict = require "archard.strict"
 
 local class = strict.class{ __name = "distribution", __fields = { "kind", "mean", "deviation", "low", "high" } }
 
--- Returns a distribution as text, such as "normal{ mean=100, deviation=5 }". As Lua code, the text makes an
--- equal distribution.
+-- Returns a distribution as text, such as "normal{ mean=100, deviation=5 }". The text is Lua code that
+-- creates an equal distribution.
 function class.__tostring(self)
   local parts = {}
   for _, name in ipairs{ "mean", "deviation", "low", "high" } do
@@ -20,7 +20,7 @@ function class.__tostring(self)
   return ("%s{ %s }"):format(self.kind, table.concat(parts, ", "))
 end
 
--- Returns true if `text` has the form of a distribution's text.
+-- Returns true if `text` has the format of class.__tostring.
 local kinds = { uniform = true, normal = true, lognormal = true }
 local function is_text(text)
   local kind, inside = text:match "^(%a+){ ([^{}]*) }$"
@@ -67,7 +67,7 @@ local function ordered(kind, low, high)
   end
 end
 
--- Returns the standard deviation, which is the field `deviation` or variation times |mean|.
+-- Returns the standard deviation: the field `deviation`, or the field `variation` times |mean|.
 local function spread_of(kind, given)
   required(kind, given, "mean", "the mean")
   if (given.deviation == nil) == (given.variation == nil) then
@@ -81,9 +81,9 @@ end
 
 local function same(x) return x end
 
--- Returns a distribution whose transformed number is normally distributed, truncated to values in [low,
--- high]. middle, width: mean and standard deviation of the transformed number; to_scale, from_scale: the
--- transformation and its inverse.
+-- Returns a distribution in which the transformed value (the logarithm for lognormal{}) is normally
+-- distributed. Values are truncated to [low, high]. middle, width: mean and standard deviation of the
+-- transformed value before truncation; to_scale, from_scale: the transformation and its inverse.
 local function bell(kind, given, middle, width, to_scale, from_scale)
   local low, high = given.low or -math.huge, given.high or math.huge
   ordered(kind, low, high)
@@ -111,9 +111,9 @@ function distributions.normal(given)
   return bell("normal", given, given.mean, spread_of("normal", given), same, same)
 end
 
-local widest = 10 -- largest ratio of deviation and mean; a larger deviation was probably meant as the variation
+local widest = 10 -- largest accepted deviation / mean; a larger deviation was probably meant as variation
 
--- The fields mean and deviation describe the number itself, not its logarithm.
+-- Returns a lognormal distribution. Its mean and deviation refer to the values, not to their logarithms.
 function distributions.lognormal(given)
   given = read("lognormal", { "mean", "deviation" }, bell_fields, given)
   local deviation = spread_of("lognormal", given)

@@ -1,5 +1,5 @@
--- Lua method s:failure{}: returns the probability that a result exceeds a limit, during the run or before a
--- distance. The probability is estimated as the fraction of samples that exceed the limit.
+-- Lua method s:failure{}: returns the probability that a result exceeds a limit at any time in a run, or up
+-- to a distance. The probability is estimated as the fraction of the samples that exceed the limit.
 
 local check = require "archard.lib.check"
 local history_at = require "archard.lib.history_at"
@@ -28,7 +28,7 @@ end
 local function check_reached(history, before)
   local last = history.distance[#history.distance]
   if before and before > last * (1 + 1e-9) then
-    check.fail(where, ("field 'before': expected a distance up to %g mm, where a case ends, got %g")
+    check.fail(where, ("field 'before': expected at most %g mm, the distance at which a case ends, got %g")
       :format(last, before))
   end
 end
@@ -45,12 +45,12 @@ local function passes(history, name, past, before)
 end
 
 function class.__tostring(self)
-  return ("probability that %s is %s %g %s%s: %.4g\n  %.4g to %.4g at %g %% confidence: %d of %d samples%s\n"
-    .. "  from half of the samples: %.4g"):format(self.of, self.above and "above" or "below",
-    self.above or self.below, outcomes.unit(self.of),
+  return ("probability that %s is %s %g %s%s: %.4g\n  confidence interval: %.4g to %.4g at %g %% confidence\n"
+    .. "  %d of %d samples are beyond the limit%s\n  probability from the first half of the samples: %.4g"):format(
+    self.of, self.above and "above" or "below", self.above or self.below, outcomes.unit(self.of),
     self.before and (" before %g mm"):format(self.before) or "", self.probability, self.low, self.high,
     100 * self.confidence, self.count, self.n,
-    self.failed > 0 and (" (%d failed and are omitted)"):format(self.failed) or "",
+    self.failed > 0 and ("; %d failed cases are omitted"):format(self.failed) or "",
     self.course.probability[1])
 end
 

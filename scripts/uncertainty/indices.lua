@@ -1,8 +1,8 @@
 -- Computes Sobol indices from Saltelli's design: the shares of a result's variance that a field causes alone
 -- (first order) and together with its interactions (total order, Jansen 1999). The first order has two
 -- estimates: one is accurate for small indices (Saltelli et al. 2010), the other for large indices (Janon et
--- al. 2014). The estimate with the smaller error is used. Errors are those of ratios of means (delta method)
--- for random points; for evenly spread points they are an upper bound.
+-- al. 2014). The estimate with the smaller error is used. Each estimate is a ratio of two means. Its error is
+-- the standard error for random points (delta method), an upper bound for evenly distributed points.
 
 local indices = {}
 
@@ -21,8 +21,8 @@ local function middle_of(a, b)
   return sum / (2 * #a)
 end
 
--- Returns the mean of product(da, db, i) divided by the variance of both lists. da, db: deviations of a[i]
--- and b[i] from `mean`.
+-- Returns the mean of product(da, db, i) divided by the variance of both lists, and the error of this ratio.
+-- da, db: deviations of a[i] and b[i] from `mean`.
 local function by(a, b, mean, product)
   local g, v = {}, {}
   for i = 1, #a do

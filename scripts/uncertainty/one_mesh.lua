@@ -1,11 +1,11 @@
--- Chooses a common mesh for all samples if the user gave no mesh. It is the mesh of the case with median
--- values. A separate mesh for each sample would double the run time and add differences between meshes to the
--- results.
+-- Chooses a common element size for all samples if the user gave none: the automatic size of a case in which
+-- all uncertain fields have their medians. A separate mesh for each sample would double the run time, and the
+-- results would include differences between meshes.
 
 local settings = require "archard.definition.settings"
 
--- largest_change: largest ratio of element sizes for which a common mesh is used. may_change(name): returns
--- true if a setting changes the element size.
+-- largest_change: largest factor between the automatic element sizes of the samples and the common size.
+-- may_change(name): returns true if a setting can change the automatic size.
 local largest_change = 1.5
 local function may_change(name) return name == "load" or name:match("^model%.") ~= nil end
 
@@ -27,7 +27,7 @@ local function with(flat, values)
   return settings.join("study", flat, values)
 end
 
--- Returns the factor (>= 1) by which the samples of one field change the element size at most.
+-- Returns the largest factor (>= 1) by which the samples of the field `name` change the element size.
 local function change_of(flat, middle, size, name)
   local low, high = flat[1][name], flat[1][name]
   for _, case in ipairs(flat) do low, high = math.min(low, case[name]), math.max(high, case[name]) end
@@ -51,7 +51,7 @@ local function find_size(sample, flat)
 end
 
 -- Sets a common element size in the flat settings of all cases. Changes nothing if the contacts differ too
--- much for one mesh, or if a case is invalid, which the run will report.
+-- much for one size. Also changes nothing if a case is invalid; the error is reported when the case runs.
 return function(sample, flat)
   local matters = false
   for _, field in ipairs(sample.fields) do matters = matters or may_change(field.name) end

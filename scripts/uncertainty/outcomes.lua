@@ -20,14 +20,15 @@ function outcomes.unit(name)
   return of_bodies[name:match "^%l+"] or ""
 end
 
--- Returns the default columns for a run or case: the wear depths of its bodies and a pressure.
+-- Returns the default columns for a run or case: the wear depths of both bodies, and p_center or, if there is
+-- no such column, p_peak.
 function outcomes.usual(run)
   local bodies = measure.bodies(run.model)
   return { "depth_" .. bodies.upper, "depth_" .. bodies.lower, run.history.p_center and "p_center" or "p_peak" }
 end
 
--- Checks the name of a history column, or a list of names, and returns a list of names. Names may contain
--- names that the user gave to bodies.
+-- Checks the name of a history column, or a list of such names, and returns a list. Names of columns may
+-- contain the names that the user gave to the bodies, as in depth_pin.
 function outcomes.names(where, of, history)
   local list = type(of) == "table" and of or { of }
   for _, name in ipairs(list) do
@@ -126,13 +127,13 @@ local function shortest_of(study, where)
 end
 
 -- Returns { distance=, n=, failed=, index=, values= }. values[name][g][i]: value of the i-th used case at
--- distance g; index[i]: number of this case in the study.
+-- distance[g]; index[i]: number of this case in the study; n, failed: numbers of used and of failed cases.
 function outcomes.read(study, where, names, at)
   local shortest = shortest_of(study, where)
   local result = { distance = grid(at, shortest), values = {}, index = {} }
   for _, d in ipairs(result.distance) do
     if d > shortest * (1 + 1e-9) then
-      check.fail(where, ("field 'at': expected distances up to %g mm, where the shortest case ends, "
+      check.fail(where, ("field 'at': expected distances up to %g mm, the end of the shortest case, "
         .. "got %g"):format(shortest, d))
     end
   end

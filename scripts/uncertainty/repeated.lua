@@ -1,4 +1,4 @@
--- Repeats a finished run from its definition, for sensitivities. The definition may be changed in one number.
+-- Repeats a run from its definition, for w:sensitivity{}. One number of the definition may be changed.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
@@ -28,7 +28,8 @@ local function take_coefficients(definition)
   end
 end
 
--- Returns the definition of a run that is not a joint; see joint/run.lua for joints.
+-- Returns the definition of a run of wear{}. The definition of a joint{} is returned by its own method
+-- (joint/run.lua).
 local function of_engine(run)
   local there = settings.nest(joint_file.definition(run))
   local definition = { model = run.model, loading = loading_of(there.loading) }
@@ -58,9 +59,10 @@ local function step_from(history, distance)
   return history.cycle[i] - history.cycle[i - 1]
 end
 
--- Returns the definition for the repetition of a run. A run with automatic steps is repeated with the same
--- steps, because new automatic steps for each changed number would hide small changes in noise. The
--- repetition is implicit, because the steps may be long.
+-- Returns the definition for the repetition of a run. A run with automatic steps is repeated with the steps
+-- of the original run, because new automatic steps of each repetition would change the results and hide the
+-- effect of the changed number. The repetition is implicit, because the steps may be too long for the
+-- explicit scheme.
 function repeated.with_steps(run, definition)
   if not (definition.tolerance or definition.jump == "auto") then return definition end
   definition.tolerance, definition.steps_chosen = nil, run.history

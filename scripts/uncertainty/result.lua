@@ -20,7 +20,7 @@ local fields = { of = check.any "names", quantiles = check.list_of(check.share, 
 
 -- --- estimates from samples ----------------------------------------------------------------------
 
--- Returns the indices of the used cases that are samples of the distributions.
+-- Returns the indices of the used cases that are samples of the distributions (outcomes.is_sample).
 local function samples_of(study, count)
   local list = {}
   for i = 1, count do

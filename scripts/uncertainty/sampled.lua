@@ -1,4 +1,4 @@
--- Computes statistics of samples: moments, quantiles and probabilities, with their confidence ranges.
+-- Computes statistics of samples: moments, quantiles and probabilities, with their confidence intervals.
 
 local random = require "archard.random"
 local statistics = require "archard.lib.statistics"
@@ -19,11 +19,11 @@ function sampled.quantile(sorted, share)
   return sorted[low] + (at - low) * (sorted[high] - sorted[low])
 end
 
--- Returns half the width of a two-sided confidence range, in standard deviations.
+-- Returns half the width of a two-sided confidence interval, in standard deviations of a normal distribution.
 function sampled.reach(confidence) return random.normal_quantile((1 + confidence) / 2) end
 
--- Returns the two samples that limit the confidence range of the quantile at `share`, computed from the
--- binomial distribution of the ranks. reach: half the width of the range in standard deviations.
+-- Returns the two samples that are the limits of the confidence interval of the quantile at the probability
+-- `share`, computed from the binomial distribution of the ranks. reach: see sampled.reach.
 function sampled.quantile_range(sorted, share, reach)
   local n = #sorted
   local margin = reach * math.sqrt(n * share * (1 - share))
@@ -31,14 +31,14 @@ function sampled.quantile_range(sorted, share, reach)
   return sorted[math.max(low, 1)], sorted[math.min(high, n)]
 end
 
--- Returns the mean, the standard deviation, and half the width of the confidence range of the mean.
+-- Returns the mean, the standard deviation, and half the width of the confidence interval of the mean.
 function sampled.moments(list, reach)
   local mean, deviation = statistics.mean(list), statistics.deviation(list)
   return mean, deviation, reach * deviation / math.sqrt(#list)
 end
 
--- Returns the confidence range (Clopper and Pearson) of the probability of an event that occurred in `count`
--- of n samples.
+-- Returns the confidence interval (Clopper and Pearson) of the probability of an event that occurred in
+-- `count` of n samples.
 function sampled.share_range(count, n, confidence)
   local out = (1 - confidence) / 2
   local low = count > 0 and random.beta_quantile(out, count, n - count + 1) or 0

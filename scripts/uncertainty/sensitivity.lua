@@ -1,6 +1,8 @@
 -- Lua method w:sensitivity{ of=, to= }: returns derivatives and elasticities of results with respect to
--- numbers of the definition, with their errors, at all distances of the history. uncertainty/plateau.lua
--- differentiates smooth results, uncertainty/slope.lua results that change in steps from node to node.
+-- numbers of the definition, with their errors, at all distances of the history. An elasticity is the
+-- relative change of a result divided by the relative change of the number. Each number is varied by itself.
+-- Smooth results are differentiated by uncertainty/plateau.lua. Some results, such as half widths, change in
+-- steps from node to node; their slopes over a range of the number are computed by uncertainty/slope.lua.
 
 local aligned = require "archard.lib.aligned"
 local changer = require "archard.uncertainty.changer"
@@ -16,7 +18,7 @@ local where = "wear:sensitivity"
 
 local class = strict.class{ __name = "sensitivity", __fields = { "of", "to", "distance", "runs" } }
 
-local shares = check.kind("a share of the number from 0 to 0.5", function(v)
+local shares = check.kind("a relative change from 0 to 0.5", function(v)
   return check.number.test(v) and v >= 0 and v <= 0.5
 end)
 local fields = { of = check.any "names", to = check.any "names", over = shares }
@@ -31,7 +33,7 @@ local function names_of(name, given, usual)
   return list
 end
 
--- Returns the distances of the history [mm] without the start of the run.
+-- Returns the distances of the history [mm], without distance 0 at the start of the run.
 local function distances_of(run)
   local list = {}
   for i, d in ipairs(run.history.distance) do
@@ -49,9 +51,9 @@ local function values_of(run, names)
   return list
 end
 
--- Returns the relative tolerance for differences between a run and its repetition. It is larger for automatic
--- steps, because these are corrected by their error estimate, and repeated steps are not. In other runs, the
--- repeated distances have rounding errors.
+-- Returns the relative tolerance for differences between a run and its repetition. For runs with automatic
+-- steps it is larger, because automatic steps are corrected by their error estimate, and repeated steps are
+-- not. In other runs only rounding errors occur.
 local function tolerance_of(definition) return definition.steps_chosen and 0.02 or 1e-9 end
 
 -- Raises an error if the definition does not reproduce the run, because changed runs could then not be
@@ -70,8 +72,8 @@ end
 
 -- --- one number ----------------------------------------------------------------------------------
 
--- first_step: first relative change of the number for differences; smallest_step: smallest change, used near
--- the end of the valid range.
+-- first_step: relative change of the varied number in the first difference; smallest_step: limit below which
+-- a change is not reduced further if runs fail near the end of the valid range.
 local first_step, smallest_step = 0.03, 0.0004
 
 local counting -- counter of the runs in the current call, for the progress display
@@ -83,8 +85,8 @@ local function results_at(self, definition)
 end
 
 -- Returns a function(h) that computes central differences: (results at value + h - results at value - h) / (2
--- h). set(x) returns the definition with the number x; `changed`, if given, is a function that modifies this
--- definition.
+-- h). set(x) returns the definition with the value x of the varied number; `changed`, if given, is a function
+-- that modifies this definition.
 local function differences_for(self, value, set, changed)
   local function results(at)
     local definition = set(at)
@@ -105,8 +107,8 @@ local function with_parts(self, value, set, h, parts)
   end)(h)
 end
 
--- Numbers of parts into which refined runs divide each step. Automatic steps cause an error of the
--- derivative, which runs with divided steps correct. The remaining error is at most twice the change by the
+-- Numbers of parts into which refined runs divide each step. The error of a derivative that automatic steps
+-- cause is corrected by runs with divided steps. The remaining error is estimated as twice the change by the
 -- last halving plus a quarter of the correction.
 local coarse_parts, fine_parts = 4, 8
 
@@ -129,12 +131,14 @@ end
 
 -- --- results that change in steps ----------------------------------------------------------------
 
--- widest: largest relative change of the number; side: number of runs on each side; rippled: ripple above
--- which the slope over a range is used.
+-- widest: default of the largest relative change of the varied number; side: number of runs with larger
+-- values, and with smaller values; rippled: ripple (see slope.lua) above which the slope over the range
+-- replaces the derivative.
 local widest, side, rippled = 0.24, 8, 0.03
 
--- Returns the points and the results of all runs. The outermost runs are computed first, because they fail if
--- the number leaves its valid range.
+-- Computes runs with evenly spaced relative changes of the varied number, from -share to share. Returns the
+-- points (relative change / share) and the results of the runs. The outermost runs are computed first,
+-- because they fail if the varied number leaves its valid range.
 local function wide_runs(self, value, set, share)
   local points, lists = {}, {}
   for j = side, 0, -1 do
@@ -155,8 +159,8 @@ local function in_order(points, lists, m)
   return t, y
 end
 
--- Replaces the derivatives of results that change in steps by slopes over a wide range of the number. over:
--- largest relative change of the number.
+-- Replaces the derivatives of results that change in steps by slopes over a wide range of the varied number.
+-- over: largest relative change of the number, which is halved while runs fail.
 local function replace_rippled(self, value, set, definition, found, over)
   local share, fine, points, lists = 2 * over, false, nil, nil
   while not fine and share > 2 * first_step do
@@ -174,8 +178,8 @@ local function replace_rippled(self, value, set, definition, found, over)
   end
 end
 
--- Returns the derivatives with respect to one number. If a run fails at the end of the number's valid range,
--- the first step is reduced.
+-- Returns the derivatives with respect to one number. If a run fails, for example because a value is outside
+-- the valid range, the change of the number is reduced.
 local function derivatives(self, name, value, set, definition)
   if value == 0 then
     check.fail(where, ("field 'to': %s is 0 and cannot be changed by a percentage"):format(name))
@@ -192,7 +196,8 @@ local function derivatives(self, name, value, set, definition)
     400 * step, why.message), why.code)
 end
 
--- Returns the elasticity. It is 0 if the derivative is 0, even if the result is 0.
+-- Returns the elasticity, derivative * value / result. It is 0 if the derivative is 0, even if the result is
+-- 0.
 local function elastic(derivative, value, result)
   return derivative == 0 and 0 or derivative * value / result
 end
@@ -234,7 +239,7 @@ end
 -- --- showing -------------------------------------------------------------------------------------
 
 function class.__tostring(self)
-  local g, rows = #self.distance, { { "of", "to", "derivative", "+-", "percent by percent", "+-", "over" } }
+  local g, rows = #self.distance, { { "of", "to", "derivative", "+-", "percent per percent", "+-", "over" } }
   for _, column in ipairs(self.of) do
     for _, name in ipairs(self.to) do
       local one = self[column][name]

@@ -1,6 +1,7 @@
--- Computes the slope of a result over many values of a number by least squares. Half widths and pressures
--- change in small steps when the contact edge moves from node to node, so a local derivative would depend on
--- the mesh. A line fitted to runs over several nodes does not.
+-- Computes the slope of a result with respect to a number of the definition, by a least-squares fit to runs
+-- with many values of the number. Half widths and pressures change in small steps when the contact edge moves
+-- from node to node, so a local derivative would depend on the mesh. The slope over a range of several nodes
+-- does not.
 
 local least_squares = require "archard.least_squares"
 local statistics = require "archard.lib.statistics"
@@ -32,14 +33,15 @@ local function polynomial(points, values, degree)
   return slope, scatter * math.sqrt(variance), scatter, middle
 end
 
--- Factor of the standard error, because deviations of neighbouring runs are correlated.
+-- The standard error is multiplied by this factor, because deviations of neighbouring runs are correlated.
 local doubt = 2
 
 local rounding = 1e-10 -- a relative scatter below this limit is rounding error
 
--- Returns { value =, error =, middle =, scatter =, ripple = }: slope and its error, result at 0, scatter of a
--- result, and scatter of the slope between neighbouring points divided by the slope. points: evenly spaced
--- positions on one or both sides of 0, in units of their range.
+-- Returns { value =, error =, middle =, scatter =, ripple = }: slope and its error, fitted result at the
+-- point 0, scatter of the results about the fit, and scatter of the slopes between neighbouring points
+-- divided by the slope. points: evenly spaced numbers from -1 to 1, or on one side of 0 only; values: result
+-- at each point.
 return function(points, values)
   local even, even_error, _, middle = polynomial(points, values, 2)
   local cubic, cubic_error, scatter = polynomial(points, values, 3)

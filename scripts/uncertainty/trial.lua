@@ -18,8 +18,8 @@ local function history_with(flat, name, value)
   local made, run = pcall(wear, settings.nest(merged(flat[1], { [name] = value })))
   if not made then
     local message = type(run) == "table" and run.message or tostring(run)
-    check.fail(where, ("field 'sample.%s': the sampled value %g cannot be run (%s); give the distribution "
-      .. "low= and high= within the valid range"):format(name, value, message))
+    check.fail(where, ("field 'sample.%s': a run with the sampled value %g is refused (%s); set low= and "
+      .. "high= of the distribution to limits within the valid range"):format(name, value, message))
   end
   local fine, why = pcall(run.run, run, { progress = false })
   local history = run.history

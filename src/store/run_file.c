@@ -1,5 +1,5 @@
-/* Identifies, creates, opens and replaces run files, and reads and writes their notes (name and
- * text). */
+/* Recognises, creates, opens and replaces run files. Reads and writes the notes in a run file, each
+ * of which has a name and a text. */
 #include "store/journal.h"
 #include "store/store.h"
 
@@ -31,8 +31,9 @@ static arc_status check_header(const arc_store *store, const unsigned char *head
   const char *path = store->path;
   static const char magic[] = "SQLite format 3";
   if (size < 100 || memcmp(header, magic, sizeof magic) != 0)
-    return arc_fail(error, ARC_FORMAT, "%s: not a run file of archard (its first bytes are %s)",
-                    path, size == 0 ? "missing: it is empty" : "those of another format");
+    return arc_fail(error, ARC_FORMAT, "%s: not a run file of archard (%s)", path,
+                    size == 0 ? "the file is empty"
+                              : "the file does not begin like an SQLite database");
   long long application = big_endian(header + 68), format = big_endian(header + 60);
   if (application != ARC_STORE_APPLICATION)
     return arc_fail(error, ARC_FORMAT,

@@ -156,7 +156,7 @@ for _, name in ipairs{ "alpha", "load", "stroke", "k", "p", "distance", "jump", 
   "thickness", "refresh", "law_pressure", "law_exponent", "law_threshold", "cycles", "spin", "track", "fill" } do
   pairs_of[name] = { 0.1, 0.2 }
 end
-fails(function() study{ vary = pairs_of } end, "field 'vary': expected at most 4000000 values in all cases, got 9961472",
+fails(function() study{ vary = pairs_of } end, "field 'vary': expected at most 4000000 values in total over all cases, got 9961472",
   "half a million cases with 19 values each are refused")
 fails(function() study{ n = 1000000, indices = true, sample = { k = uniform{ 1, 2 }, load = uniform{ 1, 2 } } } end,
   "expected at most 1000000 cases, got 4000000 (1000000 samples, with indices 4 cases each)",

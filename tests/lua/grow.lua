@@ -116,7 +116,7 @@ is(tostring(light), stays, "a refused change leaves the run unchanged")
 local soft = { radius = 7.3, cylinder = { E = 1e6, nu = 0.1 }, plate = { E = 5, nu = 0.49 } }
 ok(pcall(model, soft), "the rounded number of rows is not reduced")
 local _, why = pcall(contact, { model = soft })
-ok(tostring(why):find("the bodies are too small for this contact: their zones end at 11.68 and 11.68 mm", 1,
+ok(tostring(why):find("too small for this contact: the zones can be at most 11.68 mm (cylinder) and 11.68 mm (plate) wide", 1,
   true),
   "the message for a contact wider than the bodies")
 
@@ -132,7 +132,7 @@ local full = wear{ model = { radius = 1, mesh = { size = 0.05, zone = { cylinder
 local fine, message = pcall(full.run, full)
 local at, pressure = full.distance, full.p_center
 tap.holds(message, { "of its wear box of 4 rows of 0.0625 mm, the largest number that fits; use smaller steps",
-  "zones end at 1.6 and 1.6 mm, wear boxes at 0.25 mm" },
+  "at most 1.6 mm (cylinder) and 1.6 mm (plate) wide, the wear boxes at most 0.25 mm deep" },
     "the message states the limits of the mesh and suggests no deeper box")
 ok(not fine, "without a larger mesh the run ends")
 ok(not pcall(full.step, full), "a second step fails, too")

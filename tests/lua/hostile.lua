@@ -172,8 +172,8 @@ local function add_entries()
   end
 end
 
--- Adds the functions of the C modules that the Lua scripts of the program use; a user's script can load these
--- modules by require.
+-- Adds the functions of the C modules of the program. They are written for its own Lua scripts, but a user's
+-- script can also load them by require.
 local function add_modules()
   local modules = {
     ["archard.files"] = { "csv", "vtk", "inp", "msh", "write", "read", "is_there", "number", "allowed" },

@@ -70,7 +70,8 @@ local field = c:stress()
 for _, v in ipairs(field.plate.mises) do worst = math.max(worst, v) end
 ok(worst > 0.3 * c.p_max and worst < c.p_max, "stresses in a ring have the magnitude of the contact pressure")
 
--- Tests that runs that are saved halfway continue with identical bits, and that bodies are stored in run files.
+-- Tests that runs saved halfway and opened again have the same results, to the bit, as runs without a break,
+-- and that bodies are stored in run files.
 local file = os.tmpname()
 os.remove(file)
 local function run(distance) return wear{ model = m, load = 20, stroke = 0.5, distance = distance, jump = 10 } end
@@ -82,7 +83,7 @@ part:save(file)
 local later = wear.open(file)
 later:run()
 is(("%a %a"):format(later.depth_cylinder, later.p_center), ("%a %a"):format(whole.depth_cylinder, whole.p_center),
-  "a pin in a ring, opened from a run file, continues with identical bits")
+  "a pin in a ring, opened from a run file, continues with the same results to the bit")
 os.remove(file)
 local waves = wear{ model = { upper = body.profile{ width = 10, y = function(x) return 1e-3 * math.cos(x) end }, mesh = coarse },
   load = 50, stroke = 0.5, distance = 20, k = 1e-8 }

@@ -80,8 +80,9 @@ local steady = wear{ alpha = 1, slip = "total", distance = 440, jump = 100 }:run
 local strain = -1.3 * 0.4 * figures.mean(steady.history.p_center, 2) / 200e3
 figures.about(steady.volume.total / 4.4e-4 - 1, strain, 0.15 * -strain, "total slip under a steady contact: V / (k L d) - 1")
 
--- Tests sliding out of the plane: pairs of points stay together, so the depth partition (alpha-tilde) is
--- alpha, and the sum of depths is the depth for alpha = 1.
+-- Tests sliding out of the plane. Each point stays opposite to the same point of the other body. Therefore
+-- the depth partition factor (alpha-tilde) equals alpha, and the sum of the largest depths of both bodies
+-- equals the depth of the cylinder in a run with alpha = 1.
 local one = wear{ alpha = 1 }:run()
 for _, alpha in ipairs{ 0.25, 0.5 } do
   local w = wear{ alpha = alpha, slide = "z" }:run()

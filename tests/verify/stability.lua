@@ -28,7 +28,8 @@ local worn = reference:stability().jump_limit
 local limit = math.min(unworn, worn)
 figures.note(("limit 2 / eigenvalue: N-bar = %.1f unworn, %.1f worn"):format(unworn, worn))
 
--- Scans N-bar; "rough" means ten times the roughness at N-bar = 100.
+-- Increases N-bar until the roughness of a worn profile exceeds ten times its value at N-bar = 100. The first
+-- such N-bar is the start of roughness.
 local onset
 for share = 0.80, 1.401, 0.05 do
   local jump = share * limit

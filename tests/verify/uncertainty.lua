@@ -280,7 +280,7 @@ end
 local function difference(h) return (depth(100 + h) - depth(100 - h)) / (2 * h) end
 near(g.depth_cylinder.load.derivative[#g.distance], (4 * difference(5e-4) - difference(1e-3)) / 3, 1e-4,
   "derivative with respect to the load against extrapolated differences")
-holds(tostring(g), { "sensitivities at 330 mm", "percent by percent" }, "print of sensitivities")
+holds(tostring(g), { "sensitivities at 330 mm", "percent per percent" }, "print of sensitivities")
 for _, given in ipairs{ { scheme = "implicit", tolerance = 1e-3 }, { jump = "auto" } } do
   given.distance, given.model = 220, w.model
   local run = wear(given)

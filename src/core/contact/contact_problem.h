@@ -43,9 +43,10 @@ typedef struct contact_problem {
   int active;      /* size of the active set */
   int *set;        /* [nc] the active candidates in increasing order */
   int *joined;     /* [nc] workspace for the next active set */
-  int *made, of;   /* [nc] active set for which `factor` and `ones` were computed; its size */
-  double *factor;  /* [of x of] Cholesky factor of A on the set `made` */
-  double *ones;    /* [nc] solution of A ones = down on the set `made` */
+  int *made, of;   /* [nc] active set for which `factor` and `ones` were computed, and its size */
+  double *factor;  /* Cholesky factor of the rows and columns of A in the set `made`; a matrix of
+                      `of` rows and columns */
+  double *ones;    /* [nc] solution of A ones = down, restricted to the candidates in `made` */
   int factored;    /* 1: `factor` and `ones` are valid for A */
   /* workspaces, each used by one function and its callees */
   double *column;   /* [np] workspace for the assembly of A */

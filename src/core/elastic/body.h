@@ -29,11 +29,11 @@ typedef struct elastic_body {
   chart chart;
   double *box_at; /* unworn positions of the wear-box nodes in the chart [mm] */
   int *node_box;  /* index of each node in box_node; -1 outside the wear box */
-  int *far_at;    /* number of the far unknown for the displacements x and y of each node, or -1 */
+  int *far_at;    /* [2 nodes] index of each displacement (x, y) among the far unknowns, or -1 */
   int far_count;  /* number of far unknowns */
   int box_count;  /* number of nodes in the wear box */
-  int *box_inner; /* number of each box node among the inner nodes, or -1 */
-  int *box_rim;   /* number of each box node among the rim nodes, or -1 */
+  int *box_inner; /* [box_count] index of each box node among the inner nodes, or -1 */
+  int *box_rim;   /* [box_count] index of each box node among the rim nodes, or -1 */
   int inner, rim; /* numbers of inner and rim nodes */
   int band;       /* half band width of the inner unknowns */
   factor *far;

@@ -190,14 +190,14 @@ static int ensure_workspace(factor *f, size_t count) {
          cholmod_ensure_dense(&f->e, e, count, e, CHOLMOD_REAL, &f->common);
 }
 
-/* Solves one of the systems of cholmod_solve for the right-hand side `from` and writes the
- * solution to f->x. */
+/* Solves the system `system`, such as L x = b (CHOLMOD_L), for the right-hand side `from` and
+ * writes the solution to f->x. Returns 0 on failure. */
 static int solve_system(factor *f, int system, cholmod_dense *from) {
   return cholmod_solve2(system, f->l, from, NULL, &f->x, NULL, &f->y, &f->e, &f->common);
 }
 
-/* Solves with L and then with L'. The rows of the last unknowns are set to zero between both
- * solutions, which excludes these unknowns. */
+/* Solves A x = b with the factors L and L' of A. The rows of the last unknowns are set to zero
+ * between both solutions, which excludes these unknowns. */
 arc_status arc_factor_solve(factor *f, double *b, arc_error *error) {
   const size_t n = f->l->n, first = n - (size_t)f->last;
   double *rhs_values = calloc(n, sizeof *rhs_values);

@@ -1,5 +1,5 @@
-/* Checks imported meshes against the definition of a model, and sets those values of the
- * definition that the meshes determine. */
+/* Checks imported meshes against the definition of a model, and sets the values of the definition
+ * that follow from the meshes. */
 #include "core/elastic/imported_mesh.h"
 #include "core/elastic/chart.h"
 #include "core/elastic/pair.h"
@@ -30,7 +30,8 @@ static const char *list_names(const arc_mesh *mesh, char text[200]) {
     n += snprintf(text + n, (size_t)(200 - n), "%s'%s'", m > 0 ? ", " : "", mesh->material_name[m]);
   return text;
 }
-_Static_assert(ARC_MESH_MATERIALS *(ARC_TEXT_SIZE + 4) < 200, "all names must fit in a message");
+_Static_assert(ARC_MESH_MATERIALS *(ARC_TEXT_SIZE + 4) < 200,
+               "the list of all material names of a mesh must fit in its 200 characters");
 
 /* Checks that every layer is a named material of the mesh. */
 static arc_status check_layer(const arc_layer *layer, const arc_mesh *mesh, arc_error *error) {
@@ -71,8 +72,8 @@ arc_status arc_given_refuse(const arc_model_def *def, arc_error *error) {
     if (def->body[b].kind == ARC_SOLID_GMSH)
       return arc_fail(
           error, ARC_ARGUMENT,
-          "field '%s': expected mesh = \"FILE.msh\" beside body.gmsh{}, as the file defines "
-          "its shape",
+          "field '%s': expected mesh = \"FILE.msh\" beside body.gmsh{}, because the file defines "
+          "the shape of the body",
           role);
     for (int l = 0; l < arc_body_layers(&def->body[b]); l++)
       if (def->body[b].layer[l].name[0])

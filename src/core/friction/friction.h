@@ -208,8 +208,8 @@ typedef struct friction_task {
   double
       dx; /* [mm] displacement of the plate, to which w->shear.shift is added under a given force */
   double change;      /* [-] relative change of the gaps in the last sweep */
-  double shift, held; /* displacement of the plate [mm] and load carried by shear [N/mm] for which
-                         the gaps were computed */
+  double shift, held; /* values for which the gaps were computed: displacement of the plate [mm],
+                         and part of the load carried by shear on inclined surfaces [N/mm] */
   int over; /* 1: the given tangential force exceeds the limit of friction at the present pressures
              */
 } friction_task;

@@ -155,9 +155,11 @@ static void add_beyond_xx(const compliance *c, int k, double shear, double *u) {
     if (l >= 0 && l < c->n) u[l] += beyond_xx(c, l, k) * shear;
 }
 
-/* Computes the displacements u [2 n] under forces f along the normals and t along the tangents of a
- * surface with slopes. If `flat` is true, only displacements along x are needed and computed.
- * `force` [2 n] is a workspace. */
+/* Computes the displacements u of the n nodes of a surface, first all along x, then all along y,
+ * under the nodal forces f along the normals and t along the tangents. `slope` contains the slopes
+ * of the surface at the nodes. If `flat` is true, only displacements along x are computed. If
+ * `corrected` is true, they include the correction of the tangential compliance. `force` [2 n] is a
+ * workspace. */
 static void displace(const compliance *c, int corrected, const double *slope, int flat,
                      const double *f, const double *t, double *force, double *u) {
   double *fx = force, *fy = force + c->n;

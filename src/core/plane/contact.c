@@ -209,11 +209,11 @@ static arc_status explain_zones(const arc_contact *c, arc_error *error) {
   arc_contact_def here = c->handle.def;
   here.x = c->problem.x;
   if (!find_zones(&here, model, zone))
-    return arc_fail(
-        error, ARC_ZONE,
-        "%s; the bodies are too small for this contact: their zones end at %g and %g mm",
-        why.message, arc_model_widest_zone(model, ARC_CYLINDER),
-        arc_model_widest_zone(model, ARC_PLATE));
+    return arc_fail(error, ARC_ZONE,
+                    "%s; the bodies are too small for this contact: the zones can be at most %g mm "
+                    "(cylinder) and %g mm (plate) wide",
+                    why.message, arc_model_widest_zone(model, ARC_CYLINDER),
+                    arc_model_widest_zone(model, ARC_PLATE));
   return arc_fail(error, ARC_ZONE,
                   "%s (this contact needs mesh.zone = {cylinder = %.3g, plate = %.3g} mm)",
                   why.message, zone[ARC_CYLINDER], zone[ARC_PLATE]);

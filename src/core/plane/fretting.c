@@ -1,14 +1,15 @@
-/* Wear of a cycle with friction. The bodies are pressed together on a given shape, and
- * increments of stick and slip are solved until the cycle is periodic. The wear of the last
- * cycle is used.
+/* Wear of a cycle with friction. The bodies are pressed together on the present surfaces. Then the
+ * cycle is solved with stick and slip, and repeated until it is periodic. The wear is computed
+ * from the last repetition.
  *
- * Every evaluation begins with separated bodies. Nodes that slip in a cycle do not depend on
- * earlier cycles, and nodes that never slip retain the tractions from pressing. Therefore an
- * update needs no stored tractions, the change of shape by an update causes no slip, and a
- * stored run continues with identical results.
+ * Each computation starts with separated bodies. The shear forces of the periodic cycle depend only
+ * on this cycle at nodes that slip, and also on the pressing at nodes that never slip. Therefore no
+ * shear forces are stored between updates, an update of the shape causes no slip, and a stored run
+ * continues with identical results.
  *
- * Work is computed at the cylinder's nodes, also at nodes that enter or lose contact within the
- * increment. The coupling transfers the same work to the plate (Eq. 15 of the paper on alpha). */
+ * The work, pressure times slip, is computed at the nodes of the cylinder, including nodes that are
+ * in contact only at the start or the end of an increment. The mortar coupling transfers the same
+ * work to the plate (Eq. 15 of the reference paper). */
 #include "core/base/callbacks.h"
 #include "core/base/carve.h"
 #include "core/plane/cycle.h"
@@ -19,8 +20,8 @@
 
 enum { most_cycles = 40 };
 
-/* A cycle is periodic if the sum of the changes of all nodal forces is below this fraction of
- * the largest load. */
+/* A cycle is periodic if its start and its end differ by less than this fraction of the largest
+ * load: the sum over all nodes of the differences of normal force and shear force. */
 static const double steady = 1e-6;
 
 typedef struct fretting {
@@ -29,12 +30,12 @@ typedef struct fretting {
   wear_progress *progress;
   wear_rate *rate;
   arc_loop *loop;    /* fretting loop to record, or NULL */
-  double *start;     /* normal and tangential force on each cylinder node at the start of the
-                        cycle */
-  double *least;     /* smallest normal force on each cylinder node in the cycle */
-  double *slid;      /* sum of |slip| of each cylinder node in the cycle [mm] */
-  double *work, *on; /* workspace for the nodes of the cylinder and of the plate */
-  double between;    /* energy dissipated between the nodes before the cycle, per thickness [N] */
+  double *start;     /* [2 nc] normal forces on the cylinder nodes at the start of the cycle, then
+                        shear forces [N/mm] */
+  double *least;     /* [nc] smallest normal force on each cylinder node in the cycle [N/mm] */
+  double *slid;      /* [nc] sum of |slip| of each cylinder node in the cycle [mm] */
+  double *work, *on; /* [nc], [np] workspace for nodal values of the cylinder and of the plate */
+  double between;    /* friction_state.between at the start of the cycle [N] */
 } fretting;
 
 static arc_status fretting_create(fretting *r) {
@@ -50,7 +51,8 @@ static void fretting_free(fretting *r) {
 
 /* --- one increment ---------------------------------------------------------------------------- */
 
-/* Solves the increment that ends at point `at`. Error: ARC_STOPPED if the user stops the run. */
+/* Solves the increment that ends at point `at`. Errors: those of arc_friction_solve, and
+ * ARC_STOPPED if a callback requests a stop. */
 static arc_status advance(fretting *r, int at, const friction_step *step, arc_error *error) {
   wear_path *path = path_of(r->w);
   const int shared = path->block->problem_of[at];
@@ -78,8 +80,7 @@ static arc_status go_to(fretting *r, int at, arc_error *error) {
   return arc_wear_take(w, r->window, &path->problem[b->problem_of[at]], point, error);
 }
 
-/* Copies the last point of the path to point 0, because a periodic cycle ends in its initial
- * state. */
+/* Copies the last point of a cycle to point 0, the start of the next cycle. */
 static void wrap(fretting *r) {
   wear_path *path = path_of(r->w);
   const int last = path->block->count - 1;
@@ -87,15 +88,16 @@ static void wrap(fretting *r) {
 }
 
 /* Returns true if pressing the bodies together causes shear. Half-planes of the same material do
- * not shear each other. For bodies to which Hertz' formulas apply, the finite size of the bodies
- * causes shear that changes the energy of a cycle by less than 1e-4 of its value. */
+ * not shear each other. Bodies of finite size do. Where Hertz' formulas apply, this shear is
+ * neglected, because it changes the energy of a cycle by less than 1e-4 of its value. */
 static int shear_when_pressed(const arc_wear *w) {
   const arc_model_def *model = arc_model_definition(w->model);
   return arc_contact_mismatch(model->geometry, model->material) != 0 ||
          !arc_model_is_hertzian(model);
 }
 
-/* Presses the bodies together at point b->press, in the default increments of arc_contact_solve. */
+/* Applies the load of point b->press of the cycle to separated bodies. If friction acts meanwhile,
+ * the number of increments is the default of arc_contact_solve, otherwise 1. */
 static arc_status press(fretting *r, arc_error *error) {
   const wear_block *b = path_of(r->w)->block;
   const int has_friction = r->w->def.press == ARC_PRESS_FRICTION && shear_when_pressed(r->w);
@@ -111,7 +113,8 @@ static arc_status press(fretting *r, arc_error *error) {
   return status;
 }
 
-/* Presses the separated bodies together, and then solves the points up to the end of the cycle. */
+/* Separates the bodies, presses them together at point b->press, and solves the points from there
+ * to the end of the cycle. If b->press is 0, only point 0 is solved. */
 static arc_status approach(fretting *r, arc_error *error) {
   wear_path *path = path_of(r->w);
   friction_state *s = &path->state;
@@ -129,8 +132,8 @@ static arc_status approach(fretting *r, arc_error *error) {
 
 /* --- wear */
 
-/* Adds the work of pressure and slip at point `at`, which is one end of the increment, to the
- * wear of both bodies. */
+/* Adds the wear of both bodies, and the dissipated energy, for the pressures at one end of the
+ * increment. `at` is the point at this end, and `share` is its weight. */
 static void add_end(fretting *r, int at, double share) {
   const arc_wear *w = r->w;
   const wear_block *b = path_of(w)->block;
@@ -161,8 +164,9 @@ static int slips_everywhere(const friction_state *s, double *most) {
   return touching > 0 && stuck == 0;
 }
 
-/* Adds a point to the Jacobian. The sliding distance of a plate node is computed from the work
- * of the cylinder's nodes above it. */
+/* Adds the contribution of point `at` to the Jacobian. The sliding distance of a plate node is the
+ * work that the coupling transfers to the node, divided by the wear rate q of the node. `most` is
+ * the largest slip of the increment [mm]. */
 static void add_to_jacobian(fretting *r, int at, double most) {
   arc_wear *w = r->w;
   double *const sliding[ARC_BODIES] = {r->work, r->on};
@@ -226,8 +230,8 @@ static void begin_cycle(fretting *r) {
   note_loop(r, 0);
 }
 
-/* Returns true if the forces equal the forces at the start of the cycle within the tolerance
- * `steady`. */
+/* Returns true if the nodal forces at the start and at the end of the cycle agree within the
+ * tolerance `steady`. */
 static int has_closed(const fretting *r) {
   const friction_state *s = &path_of(r->w)->state;
   const wear_block *b = path_of(r->w)->block;
@@ -238,8 +242,8 @@ static int has_closed(const fretting *r) {
 }
 
 /* Computes the stick width: the total width of the nodes that never slip, at most the contact
- * width. If the tangential force just reaches its earlier maximum, nodes slip only by rounding
- * errors; these nodes count as sticking. */
+ * width. Nodes whose slip is a rounding error count as sticking. They occur if the tangential force
+ * just reaches its earlier maximum. */
 static void find_stick(fretting *r) {
   const wear_block *b = path_of(r->w)->block;
   static const double rounding = 1e-9;
@@ -255,7 +259,7 @@ static void find_stick(fretting *r) {
   r->rate->stick = fmin(r->rate->stick, edges[1] - edges[0]);
 }
 
-/* Multiplies the wear, the Jacobian and the energy by `share`. */
+/* Multiplies the wear rates, the Jacobian and the energy of the cycle by `share`. */
 static void scale_rate(fretting *r, double share) {
   const size_t n = (size_t)(r->w->nc + r->w->np);
   for (size_t i = 0; i < n; i++) r->rate->node[ARC_CYLINDER][i] *= share;
@@ -263,8 +267,8 @@ static void scale_rate(fretting *r, double share) {
   r->rate->energy *= share;
 }
 
-/* Adds `energy`, which was dissipated between the nodes, and its wear to the two outermost nodes
- * in contact, half to each. */
+/* Adds `energy`, dissipated between the nodes, and the wear caused by it to the two outermost nodes
+ * in contact, half to each node. */
 static void add_edges(fretting *r, double energy) {
   const arc_wear *w = r->w;
   const int at = path_of(w)->block->count - 1;
@@ -283,9 +287,9 @@ static void add_edges(fretting *r, double energy) {
   arc_wear_share(w, p, point, r->work, r->on, r->rate);
 }
 
-/* Distributes the energy that was dissipated between the nodes. Each node receives a part in
- * proportion to its own energy, at most as much again. The two outermost nodes in contact
- * receive the remainder. */
+/* Distributes the energy that was dissipated between the nodes (see slip_energy.c), with its wear.
+ * Each node receives a part in proportion to the energy dissipated at the node, at most equal to
+ * that energy. The two outermost nodes in contact receive the remainder. */
 static void add_between(fretting *r) {
   const double energy = path_of(r->w)->block->repeat * (path_of(r->w)->state.between - r->between);
   const double own = r->rate->energy, shared = fmin(energy, own);
@@ -330,7 +334,8 @@ arc_status arc_wear_fret(arc_wear *w, const wear_window *window, wear_progress *
 
 /* --- the loop --------------------------------------------------------------------------------- */
 
-/* Multiplies the forces of the loop by the thickness, and sets the energy of one cycle. */
+/* Multiplies the forces of the loop by the thickness, and sets its energy, stick width and gross
+ * slip. `rate` contains `repeat` times the energy of the loop, per thickness. */
 static void finish_loop(arc_loop *loop, double repeat, double thickness, const wear_rate *rate) {
   double *tangential = (double *)(size_t)loop->tangential;
   for (size_t i = 0; i < loop->count; i++) tangential[i] *= thickness;

@@ -222,8 +222,9 @@ static void add_to_jacobian(const arc_wear *w, const wear_window *window, int at
   arc_wear_jacobian_add(w, window, at, share, NULL);
 }
 
-/* Returns the normal force on the cylinder at a point [N/mm]. With a spin, the force on each
- * node is multiplied by its slip and divided by the slip at the reference radius. */
+/* Returns the normal force on the cylinder at point `point` of the path, per thickness [N/mm]. With
+ * a spin, the force on each node is weighted by the slip of the node divided by the slip at the
+ * reference radius. */
 static double pressing(const arc_wear *w, const wear_window *window, const wear_point *point) {
   const shape_side *side = &window->shape->side[ARC_CYLINDER];
   double sum = 0;
@@ -232,8 +233,8 @@ static double pressing(const arc_wear *w, const wear_window *window, const wear_
   return sum;
 }
 
-/* Adds the normal force times the sliding distance. This is necessary if the normal force
- * differs from the load, as in rings, in holes and with a spin. */
+/* Adds the normal force times the sliding distance of the increment that ends at point `at`. This
+ * is necessary if the normal force differs from the load, as in rings, in holes and with a spin. */
 static void add_pressing(const arc_wear *w, const wear_window *window, int at, wear_rate *rate) {
   const wear_block *b = path_of(w)->block;
   if (!w->manner.counts_forces) return;

@@ -170,11 +170,12 @@ arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks 
     return arc_fail(error, why,
                     "an imported mesh cannot be enlarged: make its contact curves longer");
   if (like(now, &def.mesh))
-    return arc_fail(error, why,
-                    "no larger mesh fits into the bodies: zones end at %g and %g mm, wear boxes at "
-                    "%g mm",
-                    arc_model_widest_zone(&def, ARC_CYLINDER),
-                    arc_model_widest_zone(&def, ARC_PLATE), arc_model_deepest_box(&def));
+    return arc_fail(
+        error, why,
+        "no larger mesh fits into the bodies: the zones can be at most %g mm (cylinder) "
+        "and %g mm (plate) wide, the wear boxes at most %g mm deep",
+        arc_model_widest_zone(&def, ARC_CYLINDER), arc_model_widest_zone(&def, ARC_PLATE),
+        arc_model_deepest_box(&def));
   return go_onto(w, &def, callbacks, result, error);
 }
 

@@ -9,14 +9,14 @@ static int any_depth(const double *depth, int n) {
   return 0;
 }
 
-/* Converts depths with the wear coefficients of the layers. The depth of a track is converted
- * with its mean over the contact width. */
+/* Converts depths computed with the largest wear coefficient to depths with the coefficients of the
+ * layers. Of a track, the mean depth over the contact width is converted. */
 static void go_through_layers(const arc_wear *w, const arc_shape *shape,
                               const arc_wear_record *record, wear_depths *depth) {
   const double wide = w->def.track > 0 ? 2 * record->half_width : 1;
   arc_wear_into_layers(shape, depth->node[ARC_CYLINDER]);
   const int middle =
-      shape->side[ARC_PLATE].n / 2; /* all nodes of a uniformly worn body have the same layers */
+      shape->side[ARC_PLATE].n / 2; /* a uniformly worn plate has the same layers at all nodes */
   if (depth->even > 0)
     depth->even = wide * arc_wear_through_layers(shape, ARC_PLATE, middle, record->depth_plate,
                                                  depth->even / wide);

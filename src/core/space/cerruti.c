@@ -131,8 +131,8 @@ static arc_status check(const arc_halfspace_def *d, arc_error *error) {
                     "finite displacement");
   if (arc_space_thinnest(d) == 0) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
-                  "field 'friction': expected 0 with layers or a rigid base in 3-D, whose "
-                  "compliance to shear is not known");
+                  "field 'friction': expected 0 with layers or a rigid base in 3-D: the shear of "
+                  "such bodies is not computed");
 }
 
 arc_status arc_cerruti_kernels(arc_halfspace *h, const space_shear_kernels **found,

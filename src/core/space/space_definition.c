@@ -1,4 +1,5 @@
-/* Definitions of wear runs in 3-D: checks of combinations of settings, and derived values. */
+/* Definitions of wear runs in 3-D: checks combinations of settings, and computes derived values,
+ * such as the number of increments and the cells. */
 #include "core/elastic/layer_wear.h"
 #include "core/space/cerruti.h"
 #include "core/space/space_kind.h"
@@ -11,21 +12,21 @@ static arc_status refuse(arc_error *error, const char *field, const char *why) {
   return arc_fail(error, ARC_ARGUMENT, "field '%s': with geometry = \"3-D\" %s", field, why);
 }
 
-/* Rejects settings that are not implemented in 3-D. */
+/* Rejects settings that are not available in 3-D. */
 static arc_status check_built(const arc_wear_def *d, arc_error *error) {
   if (d->spin > 0) return refuse(error, "spin", "expected none");
   if (d->track > 0 && d->blocks > 0)
-    return refuse(error, "track", "expected stroke and load: a cycle is a revolution");
+    return refuse(error, "track",
+                  "expected stroke and load instead of loading: a cycle is a revolution");
   if (d->slip == ARC_SLIP_TOTAL) return refuse(error, "slip", "expected \"rigid\"");
   if (d->update == ARC_UPDATE_INCREMENT) return refuse(error, "update", "expected \"cycle\"");
   if (d->load_angle != 0)
     return refuse(error, "load_angle",
-                  "expected 0: only holes have a load "
-                  "angle");
+                  "expected 0: a load angle is possible only in a hole in 2-D");
   return ARC_OK;
 }
 
-/* Returns true if the lower body is flat, and so uniform along the motion until it wears. */
+/* Returns true if the unworn lower body is flat, and therefore uniform along the motion. */
 static int lower_is_flat(const arc_model_def *model) {
   const arc_body_def lower = arc_model_solid(model, ARC_LOWER);
   return arc_body_is_flat(&lower);
@@ -46,7 +47,7 @@ static arc_status check_increments(const arc_wear_def *d, const arc_model_def *m
                           : d->increments;
   if (made <= most) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
-                  "field 'increments': the stroke needs %.3g of them, one per cell of %.3g mm; "
+                  "field 'increments': the stroke needs %.3g increments, one per cell of %.3g mm; "
                   "expected at most %d: use procedure = \"NSP\" or a larger mesh.size",
                   made, arc_space_cell(model, d->load), most);
 }
@@ -58,9 +59,9 @@ static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
   return ARC_OK;
 }
 
-/* Rejects friction on periodic surfaces, in a groove, with layers or a rigid base (whose compliance
- * to shear is not available), and with bodies that separate, because separation removes the shear
- * due to pressing. */
+/* Rejects friction on periodic surfaces, in a groove, with layers or on a rigid base (the response
+ * of such bodies to shear is not implemented), and in cycles in which the bodies separate, because
+ * separation removes the shear caused by pressing. */
 static arc_status check_friction(const arc_wear_def *d, const arc_model_def *model,
                                  arc_error *error) {
   if (!arc_wear_has_friction(d)) return ARC_OK;
@@ -69,14 +70,15 @@ static arc_status check_friction(const arc_wear_def *d, const arc_model_def *mod
     if (arc_body_layers(&model->body[b]) > 0 || model->body[b].height > 0)
       return refuse(
           error, "friction",
-          "expected 0 with layers or a rigid base, whose compliance to shear is not known");
+          "expected 0 with layers or a rigid base: the shear of such bodies is not computed");
   if (d->track > 0 || (d->procedure == ARC_NSP && !arc_wear_alpha_stays_one(d)))
     return refuse(error, "friction",
                   "expected 0 with track, or with procedure = \"NSP\" and alpha < 1");
   for (int b = 0; b < d->blocks; b++)
     for (int i = 0; i < d->loading[b].count; i++)
       if (!(d->loading[b].load[i] > 0))
-        return refuse(error, "loading", "and friction expected loads above 0");
+        return refuse(error, "loading",
+                      "expected loads above 0: with friction the bodies must stay in contact");
   return ARC_OK;
 }
 
@@ -97,11 +99,12 @@ static arc_status check_groove(const arc_wear_def *d, const arc_model_def *model
                     widest, d->track);
   if (d->track > 0 || d->procedure != ARC_NSP || arc_wear_alpha_stays_one(d)) return ARC_OK;
   if (d->blocks > 0)
-    return refuse(error, "procedure", "\"NSP\" is for a plain stroke: expected no loading");
+    return refuse(error, "procedure",
+                  "expected \"SP\" with loading: \"NSP\" needs a constant stroke");
   if (d->stroke >= 2 * scar) return ARC_OK;
   return arc_fail(
       error, ARC_ARGUMENT,
-      "field 'procedure': \"NSP\" treats the track as a groove: expected a stroke of at "
+      "field 'procedure': \"NSP\" treats the scar as a uniform groove: expected a stroke of at "
       "least 2 contact widths, got %.3g",
       d->stroke / scar);
 }
@@ -124,8 +127,9 @@ void arc_space_usual(arc_wear_def *def) {
   if (def->tolerance == 0) def->tolerance = ARC_USUAL_TOLERANCE;
 }
 
-/* Returns the ratio of a tangential force to the equivalent displacement [N/mm]: 2 a E* with the
- * mean contact radius a and the contact modulus E*. */
+/* Returns the factor [N/mm] that converts a tangential force to the displacement by which distances
+ * are counted if a force drives the plate: 2 a E* with the mean contact radius a and the contact
+ * modulus E*. */
 static double force_per_distance(const arc_wear_def *def, const arc_model_def *model) {
   const arc_hertz_ellipse hertz = arc_space_hertz(model, def->load);
   return 2 * sqrt(hertz.half_width * hertz.half_width_z) *
@@ -148,9 +152,9 @@ static int are_unlike(const arc_model_def *model) {
   return arc_cerruti_unlike(&bodies) != 0;
 }
 
-/* Returns the default number of increments of a cycle: one per cell. With friction the minimum is
- * one per leg, or two per leg between unlike bodies; the error of the wear is then below 0.4 %. A
- * cycle under a tangential force has exactly this minimum. */
+/* Returns the number of increments of a cycle: the number set by the user, or one per cell of the
+ * stroke, at least 4. With friction the minimum is one per stroke, or two between unlike bodies;
+ * the error of the wear is then below 0.4 %. A cycle under a tangential force has this minimum. */
 int arc_space_increments(const arc_wear_def *def, const arc_model_def *model) {
   enum { most = 1 << 20 };
   if (def->increments > 0) return def->increments;
@@ -181,7 +185,8 @@ double arc_space_parts(const arc_wear_def *def, const arc_model_def *model,
 
 /* --- cells ------------------------------------------------------------------------------------ */
 
-/* Returns twice the largest distance of the motion from x = 0 [mm]. */
+/* Returns twice the largest distance of the motion from x = 0 [mm]; 0 if the contact is solved at
+ * one position only, or if a tangential force drives the lower body. */
 static double stroke_of(const arc_wear_def *def, const arc_model_def *model) {
   double most = 0;
   if (rests(def, model) || def->tangential > 0) return 0;
@@ -209,7 +214,7 @@ arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *
   arc_space_fit(&fine, def->slide == ARC_SLIDE_Z, def->load, volume_of(def, model),
                 stroke_of(def, model), increment, &cells);
   const arc_halfspace_def bodies =
-      arc_space_bodies(model); /* with maps of *model, not of its local copy */
+      arc_space_bodies(model); /* uses the maps of *model, not of its local copy */
   for (int b = 0; b < ARC_BODIES; b++) cells.body[b] = bodies.body[b];
   cells.workers = def->workers;
   if (!rests(def, model)) {

@@ -152,9 +152,11 @@ arc_status arc_space_load(arc_model *model, const arc_wear_def *def, const arc_a
 arc_status arc_space_path(const arc_wear *w, const wear_window *window, space_path *path,
                           arc_error *error);
 void arc_space_end_path(space_path *path);
-/* arc_space_guess_at returns the initial guess at a point of a cycle with friction: pressure,
- * shear, motion and stick zone of the last solution there, or NULL. arc_space_remember replaces the
- * guess, or stores nothing if out of memory. arc_space_forget frees the guesses of all points. */
+/* arc_space_guess_at returns the initial guess of the solution at a point of a cycle with friction:
+ * pressure, shear, motion and stick zone of the last solution at this point, or NULL if there is
+ * none. arc_space_remember stores or replaces the guess. If the memory for the first guess of a
+ * point is not available, the point remains without a guess, which is not an error.
+ * arc_space_forget frees the guesses of all points. */
 const arc_halfspace_friction *arc_space_guess_at(const space_path *path, int at);
 void arc_space_remember(space_path *path, int at, const arc_halfspace_friction *state, int cells);
 void arc_space_forget(space_path *path);

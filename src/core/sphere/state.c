@@ -76,7 +76,7 @@ static arc_status check(const arc_joint *j, const double *state, size_t count, a
   if (count != fixed + (size_t)state[2] * (size_t)state[1] * (size_t)state[1])
     return refuse(error, "its length is wrong");
   for (size_t i = header; i < count; i++)
-    if (!isfinite(state[i])) return refuse(error, "it contains values that are not numbers");
+    if (!isfinite(state[i])) return refuse(error, "it contains NaN or infinite values");
   for (size_t i = fixed; i < count; i++)
     if (state[i] < 0) return refuse(error, "pressures are negative");
   for (size_t i = header; i < header + 2 * (size_t)j->sites; i++)

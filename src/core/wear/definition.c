@@ -232,7 +232,7 @@ static arc_status check_friction(const arc_wear_def *d, arc_error *error) {
   if (!arc_wear_has_friction(d)) return ARC_OK;
   if (d->update == ARC_UPDATE_INCREMENT)
     return refuse_with_friction(
-        "update", "expected \"cycle\": updates within a cycle would cause additional slip", error);
+        "update", "expected \"cycle\": an update within a cycle would itself cause slip", error);
   if (d->slip == ARC_SLIP_TOTAL)
     return refuse_with_friction(
         "slip", "expected \"rigid\": friction already includes the slip of each point", error);

@@ -166,8 +166,9 @@ arc_status arc_wear_solve_next_cycle(arc_wear *w, const wear_plan *plan, wear_ou
   return ARC_OK;
 }
 
-/* Computes the wear rate at the start of an update if it is needed: for explicit updates, and for
- * the prediction of functions of the state. */
+/* Computes the wear rate at the start of an update, or copies it from the cache. Only explicit
+ * updates, and runs whose settings are functions of the state, need this rate; for other updates
+ * the function does nothing. */
 static arc_status find_start(whole *u, arc_error *error) {
   arc_wear *w = u->w;
   if (!is_explicit(w, u->plan) && !arc_wear_has_state_functions(w)) return ARC_OK;

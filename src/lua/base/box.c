@@ -15,8 +15,9 @@ static const box_class *class_upvalue(lua_State *L) {
   return lua_touserdata(L, lua_upvalueindex(1));
 }
 
-/* Raises an error for the unknown name at index 2, but only if the user's code reads it. Upvalue 4:
- * list of all valid names. */
+/* Raises an error for the unknown name at index 2 if the reading code is the user's. In built-in
+ * scripts and C functions the name is nil, so that they can test for fields. Upvalue 4: list of all
+ * valid names. */
 static int unknown_field(lua_State *L) {
   if (lua_type(L, 2) == LUA_TSTRING && strict_reads(L))
     strict_refuse(L, class_upvalue(L)->name, lua_tostring(L, 2), lua_upvalueindex(4));

@@ -158,7 +158,8 @@ static arc_status wear_body(lua_State *L, int worn, arc_shape *shape, const arc_
   return status;
 }
 
-/* Fills the box with a new shape, whose window has at least the half widths `half`. */
+/* Replaces the shape in the box `holder` by a new shape with the depths of the table `worn`.
+ * `half`: minimum half widths of its window along x and z [mm]. */
 static arc_status fill(lua_State *L, box *holder, int worn, arc_model *model,
                        const arc_wear_def *def, const double half[2], const char *where,
                        arc_error *error) {

@@ -82,7 +82,7 @@ static void refuse_changes(lua_State *L, int index, args_location location) {
     if (s->forms & ARC_FIXED && args_given(L, index, s->name))
       error_raise(
           L, ARC_ARGUMENT, location.where,
-          "field '%s' cannot be changed in a run; create a new run from its shape, wear{ worn "
+          "field '%s' cannot be changed in a run; create a new run from its worn shape, wear{ worn "
           "= w, ... }",
           s->name);
 }
