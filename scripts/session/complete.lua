@@ -307,7 +307,7 @@ function complete.words(text)
   end
   local before = last and last.text
   if before == "." or before == ":" then return member_words(tokens, prefix), "" end
-  if frame and frame.call and (before == "{" or before == "," or before == ";") then
+  if frame and frame.open == "{" and frame.call and (before == "{" or before == "," or before == ";") then
     local words = field_words(frame, prefix)
     if #words > 0 then return words, "=" end
   end
