@@ -29,6 +29,7 @@ near(wear{ cycles = 500 }.total_distance, 110, 1e-12, "the distance of a number 
 near(wear{ cycles = 10, stroke = 20 }.total_distance, 200, 1e-12,
   "a cycle over the whole plate has one stroke")
 is(wear{ stroke = 20 }.procedure, "NSP", "the plate stays flat with a stroke of 2R")
+ok(tostring(wear{ stroke = 20 }):find("stroke 20 mm in one direction", 1, true), "print(w) of a stroke of 2R")
 
 -- Tests the results and the printed record of steps.
 local record = w:step()

@@ -46,8 +46,9 @@ static void show_motion(const arc_wear *wear, char *text, size_t size) {
     snprintf(text, size, "revolutions on a track of radius %.6g mm",
              arc_wear_definition(wear)->track);
   else if (blocks == 0)
-    snprintf(text, size, "stroke %s",
-             show_course(of_update(now, now->travel), travel, " mm", course, sizeof course));
+    snprintf(text, size, "stroke %s%s",
+             show_course(of_update(now, now->travel), travel, " mm", course, sizeof course),
+             arc_wear_strokes(wear) == 1 ? " in one direction" : "");
   else
     snprintf(text, size, "loading of %d block%s%s over %.6g mm", blocks, blocks == 1 ? "" : "s",
              blocks == 1 ? "" : ", now", travel);
