@@ -2,6 +2,7 @@
 -- export.csv tables of points.
 
 local axis = require "archard.map.axis"
+local as_utf8 = require "archard.lib.as_utf8"
 local check = require "archard.lib.check"
 local files = require "archard.files"
 local gsf = require "archard.map.gsf"
@@ -115,8 +116,8 @@ function maps.write(where, list, path)
       files.number(axis.step(x)), files.number(axis.step(z))),
     ('<Piece Extent="%s">'):format(extent), "<PointData>" }
   for _, t in ipairs(list) do
-    lines[#lines + 1] = ('<DataArray type="Float64" Name="%s" format="ascii">'):format((t.name:gsub("%c", " "):gsub('[&<"]',
-      escapes)))
+    local name = as_utf8(t.name):gsub("%c", " "):gsub('[&<"]', escapes)
+    lines[#lines + 1] = ('<DataArray type="Float64" Name="%s" format="ascii">'):format(name)
     add_values(lines, t)
     lines[#lines + 1] = "</DataArray>"
   end

@@ -56,6 +56,20 @@ static char *next_word(const char *text, int state) {
   return NULL;
 }
 
+/* Generates names of files for readline, without names that would end the Lua string or contain
+ * control characters. */
+static char *next_file(const char *text, int state) {
+  for (;;) {
+    char *file = rl_filename_completion_function(text, state);
+    if (file == NULL) return NULL;
+    int plain = strpbrk(file, "\"'\\]") == NULL;
+    for (const char *c = file; *c; c++) plain = plain && (unsigned char)*c >= ' ' && *c != 127;
+    if (plain) return file;
+    free(file);
+    state = 1;
+  }
+}
+
 static char **attempt_completion(const char *text, int start, int end) {
   (void)start;
   rl_attempted_completion_over = 1;
@@ -67,7 +81,7 @@ static char **attempt_completion(const char *text, int start, int end) {
   rl_completion_append_character = editor.proposal.append;
   if (!editor.proposal.files) return rl_completion_matches(text, next_word);
   rl_filename_completion_desired = 1;
-  return rl_completion_matches(text, rl_filename_completion_function);
+  return rl_completion_matches(text, next_file);
 }
 
 /* --- history ---------------------------------------------------------------------------------- */

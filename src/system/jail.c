@@ -13,6 +13,7 @@
 #include <linux/audit.h>
 #include <linux/capability.h>
 #include <linux/filter.h>
+#include <linux/fs.h>
 #include <linux/seccomp.h>
 #include <sched.h>
 #include <stddef.h>
@@ -21,6 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -226,6 +228,11 @@ static const unsigned denied[] = {SYS_socket,
                                   SYS_llistxattr,
                                   SYS_removexattr,
                                   SYS_lremovexattr,
+                                  SYS_fchown,
+                                  SYS_fsetxattr,
+                                  SYS_fgetxattr,
+                                  SYS_flistxattr,
+                                  SYS_fremovexattr,
                                   SYS_utimensat,
                                   SYS_mknodat,
                                   SYS_open_by_handle_at,
@@ -259,9 +266,18 @@ static const unsigned denied[] = {SYS_socket,
                                   SYS_quotactl,
                                   SYS_syslog,
                                   SYS_mq_open,
+                                  SYS_mq_unlink,
                                   SYS_shmget,
+                                  SYS_shmat,
+                                  SYS_shmctl,
                                   SYS_msgget,
-                                  SYS_semget};
+                                  SYS_msgsnd,
+                                  SYS_msgrcv,
+                                  SYS_msgctl,
+                                  SYS_semget,
+                                  SYS_semop,
+                                  SYS_semtimedop,
+                                  SYS_semctl};
 
 /* Older system calls with the same effects as denied calls, if the architecture has them. */
 #ifdef SYS_chmod
@@ -317,6 +333,17 @@ static void refuse_where(filter *f, unsigned call, int argument, unsigned short 
   end(f, SECCOMP_RET_ERRNO | EPERM);
 }
 
+/* Refuses mmap of shared memory without a file, which limits of memory do not count. */
+static void refuse_shared_memory(filter *f) {
+  const uint32_t both = MAP_SHARED | MAP_ANONYMOUS;
+  load(f, offsetof(struct seccomp_data, nr));
+  add(f, BPF_JMP | BPF_JEQ | BPF_K, SYS_mmap, 0, 4);
+  load(f, offsetof(struct seccomp_data, args) + 8 * 3); /* flags */
+  add(f, BPF_ALU | BPF_AND | BPF_K, both, 0, 0);
+  add(f, BPF_JMP | BPF_JEQ | BPF_K, both, 0, 1);
+  end(f, SECCOMP_RET_ERRNO | EPERM);
+}
+
 /* Allows only calls of this architecture with their 64-bit numbers. */
 static void begin(filter *f) {
   load(f, offsetof(struct seccomp_data, arch));
@@ -335,8 +362,17 @@ static void write_filter(filter *f) {
   refuse(f, older, sizeof older / sizeof *older, EPERM);
   refuse(f, newer, sizeof newer / sizeof *newer, EPERM);
   refuse(f, unknown, sizeof unknown / sizeof *unknown, ENOSYS);
-  /* AF_UNIX sockets are allowed, because they connect children */
+  /* AF_UNIX streams are allowed, because they connect children. The other types (2 to 5) can send
+   * to sockets outside. */
   refuse_where(f, SYS_socketpair, 0, BPF_JEQ, AF_UNIX, 0);
+  refuse_where(f, SYS_socketpair, 1, BPF_JSET, 0xe, 1);
+  /* Rights of open files may change, as SQLite needs it, but not to those of the owner's programs.
+   */
+  refuse_where(f, SYS_fchmod, 1, BPF_JSET, S_ISUID | S_ISGID | S_ISVTX, 1);
+  refuse_where(f, SYS_ioctl, 1, BPF_JEQ, FS_IOC_SETFLAGS, 1);
+  refuse_where(f, SYS_ioctl, 1, BPF_JEQ, FS_IOC_FSSETXATTR, 1);
+  refuse_where(f, SYS_fcntl, 1, BPF_JEQ, F_NOTIFY, 1);
+  refuse_where(f, SYS_fcntl, 1, BPF_JEQ, F_SETLEASE, 1);
   refuse_where(f, SYS_clone, 0, BPF_JSET, spaces, 1);
   /* TIOCSTI inserts text into the input of the terminal */
   refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCSTI, 1);
@@ -356,11 +392,14 @@ static int confine_calls(void) {
   return install(&f);
 }
 
-/* Prevents new processes. clone3 needs no rule here, because the first filter already refuses
- * it. */
+/* Prevents new processes, shared memory and changes of the rights of files. clone3 needs no rule
+ * here, because the first filter already refuses it. */
 int arc_jail_alone(void) {
+  static const unsigned rights[] = {SYS_fchmod};
   filter f = {.length = 0};
   begin(&f);
+  refuse(&f, rights, 1, EPERM);
+  refuse_shared_memory(&f);
 #ifdef SYS_fork
   static const unsigned processes[] = {SYS_fork, SYS_vfork};
   refuse(&f, processes, 2, EPERM);

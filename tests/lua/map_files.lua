@@ -281,6 +281,12 @@ holds(text, { '<ImageData WholeExtent="0 6 0 0 0 4" Origin="-0.03 0 0.5" Spacing
 local values = {}
 for word in text:match('Name="height"[^>]*>(.-)<'):gmatch "%S+" do values[#values + 1] = tonumber(word) end
 is(#values, nx * nz, ".vti file with a value for each point")
+do -- a name from a file of another program
+  local named = map{ x = { 0, 1 }, z = { 0, 1 }, y = { 0, 1, 2, 3 }, name = "\27[31m\xB5" }
+  export.vti(named, path "named.vti")
+  ok(utf8.len(bytes "named.vti") and bytes("named.vti"):find('Name=" [31mµ"', 1, true), ".vti file with a name in Latin-1")
+  ok(not tostring(named):find("\27", 1, true), "print of a map without control characters of its name")
+end
 local exact = true
 for i = 1, nx do for j = 1, nz do exact = exact and values[(j - 1) * nx + i] == own.y[(i - 1) * nz + j] end end
 ok(exact, ".vti values are ordered by x first, identical to the bit")

@@ -257,10 +257,13 @@ static void try_connections(void) {
   TRY("packets", connects(AF_PACKET, SOCK_RAW));
   TRY("a virtual machine's", connects(40, SOCK_STREAM));
   TRY("a pair of another family", socketpair(AF_TIPC, SOCK_STREAM, 0, ends) == 0);
+  TRY("a pair of datagrams", socketpair(AF_UNIX, SOCK_DGRAM, 0, ends) == 0);
+  TRY("a pair of packets", socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) == 0);
   TRY("a ring of calls", syscall(425, 4, ring) >= 0);
 }
 
 static void try_system(void) {
+  char word[16];
   struct rlimit l = {RLIM_INFINITY, RLIM_INFINITY};
   TRY("a space of its own for users", unshare(CLONE_NEWUSER) == 0);
   TRY("one for mounts", unshare(CLONE_NEWNS) == 0);
@@ -276,6 +279,16 @@ static void try_system(void) {
   TRY("faults of pages", syscall(SYS_userfaultfd, 0) >= 0);
   TRY("keys", syscall(SYS_keyctl, 0, -3, 0) >= 0);
   TRY("memory of the system", syscall(SYS_shmget, 77, 4096, 01600) >= 0);
+  TRY("memory that others made", syscall(SYS_shmctl, 0, 14, (char[256]){0}) >= 0); /* SHM_INFO */
+  TRY("attaching it", syscall(SYS_shmat, 0, NULL, 0) != -1 || errno != EPERM);
+  TRY("messages of others", syscall(SYS_msgrcv, 0, word, 8, 0, 04000) >= 0 || errno != EPERM);
+  TRY("semaphores of others", syscall(SYS_semctl, 0, 0, 3) >= 0 || errno != EPERM);
+  TRY("shared memory, which no limit counts",
+      mmap(NULL, 1 << 20, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0) != MAP_FAILED);
+  TRY("rights of an open file", fchmod(fileno(tried), 0600) == 0);
+  TRY("rights of the user, of an open file", fchmod(fileno(tried), 04700) == 0);
+  TRY("attributes of an open file", fsetxattr(fileno(tried), "user.x", "1", 1, 0) == 0);
+  TRY("flags of an open file", ioctl(fileno(tried), 0x40086602, &(long){0}) == 0 || errno != EPERM);
   TRY("a queue of messages", syscall(SYS_mq_open, "out", O_CREAT | O_RDWR, 0600, NULL) >= 0);
   TRY("typing into the terminal", ioctl(0, TIOCSTI, "x") == 0 || errno != EPERM);
   TRY("more processes again", setrlimit(RLIMIT_NPROC, &l) == 0);
