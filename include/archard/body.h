@@ -154,8 +154,8 @@ int arc_body_is_spatial(const arc_body_def *def);
 double arc_body_half_length(const arc_body_def *def);
 double arc_body_depth(const arc_body_def *def);
 
-/* Returns the smallest dimension that limits the mesh [mm]: the radius of a cylinder or disc, the
- * half width or height of a block, the wall thickness of a ring. */
+/* Returns the dimension that limits the element sizes [mm]: the radius of a cylinder or disc, the
+ * wall thickness of a ring, the smaller of half width and height of a body that is not round. */
 double arc_body_measure(const arc_body_def *def);
 
 /* Returns the width of the widest possible contact zone [mm]. */

@@ -56,8 +56,8 @@ arc_status arc_export_mesh_inp(const char *path, const arc_mesh *mesh, arc_error
  * the bit, and the order of nodes and elements is kept. */
 arc_status arc_export_msh(const char *path, const arc_mesh *const mesh[ARC_BODIES],
                           arc_error *error);
-/* Writes the content of the file of arc_export_msh to *text, which the caller frees with free(). On
- * failure *text is NULL. Errors: ARC_MEMORY. */
+/* Stores in *text the text that arc_export_msh writes to a file. The caller frees it with free().
+ * On failure *text is NULL. Errors: ARC_MEMORY. */
 arc_status arc_export_msh_text(char **text, const arc_mesh *const mesh[ARC_BODIES],
                                arc_error *error);
 

@@ -187,8 +187,10 @@ typedef struct arc_joint_record {
                   over all cycles */
 } arc_joint_record;
 
-/* Makes one update of `cycles` cycles. The update is explicit, or it solves the instants one after
- * another, in every second update in reverse order. On failure joint and record are unchanged. */
+/* Makes one update of `cycles` cycles. Solves the contact at each instant of a cycle, in the order
+ * of time, or in reverse order in every second update. With explicit_scheme all contacts use the
+ * geometry at the start of the update; otherwise each contact includes the wear of its instant and
+ * of the instants solved before. On failure joint and record are unchanged. */
 arc_status arc_joint_update(arc_joint *joint, const arc_joint_wear_def *def, double cycles,
                             const arc_callbacks *callbacks, arc_joint_record *record,
                             arc_error *error);

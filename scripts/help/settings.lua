@@ -94,8 +94,8 @@ end
 local made = { wear = columns_of "wear", state = columns_of "state" }
 table.insert(made.wear, 1, history())
 
--- Returns the entries that follow the entry of a class: its options, each with the options inside it from
--- help/engine.lua, and its fields.
+-- Returns the help entries that follow the entry of a class. These are the entries of its options, each
+-- followed by the options inside it from help/engine.lua (`written`), and then the entries of its fields.
 local function behind(class, written)
   local list = {}
   for _, option in ipairs(settings[class] and options_of(class) or {}) do

@@ -237,9 +237,10 @@ return {
     text = "The wear coefficients or, for a list of distances, tables { distance=, value= } for wear{}. The values "
       .. "of a table are constant between two measurements, jump at each measurement, and are constant beyond the "
       .. "last one. print shows the coefficients with spread, low and high." },
-  { "calibration.alpha", kind = "field", text = "Wear partition factor or, for a list of distances, its table." },
+  { "calibration.alpha", kind = "field", text = "Wear partition factor. For a list of distances: its values "
+      .. "as a table { distance=, value= }." },
   { "calibration.k", kind = "field", unit = "mm2/N",
-    text = "Wear coefficient of the couple or, for a list of distances, its table." },
+    text = "Wear coefficient of the couple. For a list of distances: its values as a table { distance=, value= }." },
   { "calibration.k_cylinder", kind = "field", unit = "mm2/N", text = "Wear coefficient of the cylinder." },
   { "calibration.k_plate", kind = "field", unit = "mm2/N", text = "Wear coefficient of the plate." },
   { "calibration.low", kind = "field",

@@ -160,10 +160,10 @@ return {
   { "plot{vrange}", type = "table { low, high }", text = "Range of the colour scale of a field." },
   { "plot{logx}", type = "boolean", default = false, text = "If true, the x axis is logarithmic." },
   { "plot{logy}", type = "boolean", default = false, text = "If true, the y axis is logarithmic." },
-  { "plot{xdown}", type = "boolean", default = false, text = "If true, x increases to the left, for any order of "
-    .. "xrange." },
-  { "plot{ydown}", type = "boolean", default = false, text = "If true, y increases downwards, for any order of "
-    .. "yrange." },
+  { "plot{xdown}", type = "boolean", default = false, text = "If true, x increases to the left, also if "
+    .. "xrange is { high, low }." },
+  { "plot{ydown}", type = "boolean", default = false, text = "If true, y increases downwards, also if "
+    .. "yrange is { high, low }." },
   { "plot{key}", type = "string or boolean", default = '"below"',
     values = require "archard.gnuplot".keys,
     text = "Position of the key (legend); false: no key. By default panels have one common key below them." },

@@ -73,26 +73,28 @@ the upper body and "plate" the lower body, whatever their shapes; results also h
   { "axisymmetric", [[
 model{ geometry = "axisymmetric" } defines bodies of revolution about a vertical axis: the cylinder is a ball, the block a disc, a
 punch a pin with a flat end. Loads are total forces, volumes are those of the whole ring in mm3, and half_width is the radius of the
-contact. With axis = 40 the axis is 40 mm left of x = 0, and 40 mm is the mean radius of a thrust ring. (geometry = "plane stress" is for thin plates.)
+contact. With axis = 40 the axis is 40 mm left of x = 0, and 40 mm is the mean radius of a thrust ring.
 
-The contact has a fixed position, so wear{} needs slide = "z" and one of these:
+The contact has a fixed position, and the bodies slide along z, the circumferential direction. wear{} therefore needs slide = "z" and one of these:
 
-  alpha = 1        a pin on a disc: all its points slide the same distance,
-                   and the disc does not wear
+  alpha = 1        a pin on a disc: all points of the pin slide the same
+                   distance, and the disc does not wear
   track = 20       a pin on a disc, where a cycle is a revolution at a radius
                    of 20 mm. The disc may wear too and remains flat: its depth
                    is the mean over the track, which is as wide as the contact
   spin = 1         rotation about the axis: the slip at the radius r is r/spin
                    times the stroke; with spin = 1 a distance of 1 mm means a
                    rotation of 1 rad
-  model.axis > 0   a ring: all its points slide the same distance; with spin
-                   the distance grows with r
+  model.axis > 0   a ring: all points of the ring slide the same distance;
+                   with spin the distance grows with r
 
   w = wear{ model = { geometry = "axisymmetric" }, load = 50, slide = "z",
     alpha = 1, track = 20, cycles = 1000, jump = "auto" }
 
 Strokes along x, friction in the section, holes, a thickness, and profiles that differ at x and -x are refused. A mesh from Gmsh must contain
-both halves of the section, with mesh lines on the axis. With spin the pressure on the axis grows without limit as the bodies wear.]] },
+both halves of the section, with mesh lines on the axis. With spin the pressure on the axis grows without limit as the bodies wear.
+
+For thin plates use geometry = "plane stress".]] },
   { "running in", [[
 New surfaces often wear faster at first. Define k as a function of the state, or as a table over the distance:
 

@@ -216,7 +216,7 @@ end
 
 -- --- running -------------------------------------------------------------------------------------
 
--- Returns the cases to compute. Failed cases are also set to "waiting" and computed again.
+-- Sets failed cases to "waiting", so that they are computed again, and returns all waiting cases.
 local function prepare(whole)
   local store <close> = definitions.open(where, whole, "write")
   for _, case in ipairs(of_status(store, "failed")) do store:mark(case.id, "waiting") end

@@ -41,7 +41,8 @@ static char *join(const char *folder, const char *name) {
   return path;
 }
 
-/* Creates all missing folders of `path`, which only the user can access. Returns 0 on failure. */
+/* Creates all missing folders of `path`. Only the user can access the created folders. Returns 0 on
+ * failure. */
 static int make_folders(char *path) {
   for (char *slash = path + 1;; slash++) {
     if (*slash != '/' && *slash != '\0') continue;

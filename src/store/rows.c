@@ -1,5 +1,5 @@
-/* Enlarges arrays while the rows of a query are read, and reads the ids of cases. The rows are
- * not counted in advance, because their number may change. */
+/* Enlarges the arrays into which the rows of a query are read, and reads the ids of cases. Arrays
+ * grow during reading, because the number of rows may change between a count and the query. */
 #include "store/store.h"
 
 #include <limits.h>

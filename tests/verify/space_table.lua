@@ -1,5 +1,5 @@
 -- Tests contact and wear in three dimensions against closed forms, tables, other solvers of this program
--- (finite elements of revolution and of plane strain) and other step lengths, and tests the order of
+-- (axisymmetric and plane-strain finite elements) and other step lengths, and tests the order of
 -- convergence.
 
 -- Long
@@ -39,7 +39,7 @@ for i = 2, #line.x do
   end
 end
 
--- Tests a rigid ball on layers bonded to a rigid base against an independent program.
+-- Tests a rigid ball on layers bonded to a rigid base against results of another, independent program.
 for _, row in ipairs{ { 1, 0.3, 29.190, 0.4059, 0.012998 }, { 0.1, 0.3, 64.59, 0.2994, 4.887e-3 }, { 1, 0.45, 31.985, 0.3875, 0.011474 } } do
   local thick, nu, p, half, approach = table.unpack(row)
   local d = contact{ load = 10, model = { geometry = "3-D", upper = body.ball{ radius = 10, E = 1e12 },
@@ -50,8 +50,8 @@ for _, row in ipairs{ { 1, 0.3, 29.190, 0.4059, 0.012998 }, { 0.1, 0.3, 64.59, 0
   within(d.approach, approach, 0.002, name .. "approach [mm]")
 end
 
--- Tests a layer of the base's material, which must not change the contact, and a hard and a soft coating
--- against finite elements of revolution.
+-- Tests three coatings against axisymmetric finite elements of this program: one of the material of the base,
+-- which must not change the contact, a hard one and a soft one.
 for _, row in ipairs{ { 0.05, 200e3 }, { 0.05, 400e3 }, { 0.02, 100e3 } } do
   local coated = body.block{ layers = { { thickness = row[1], E = row[2] } } }
   local d = contact{ load = 50, model = { geometry = "3-D", upper = body.ball{ radius = 10 }, lower = coated } }
@@ -78,7 +78,7 @@ end
 
 -- Tests waves D cos(2 pi x / l) cos(2 pi z / l). Contact is full above the mean pressure p* = sqrt(2) pi E* D
 -- / l; then the pressure is the mean pressure plus a wave of the amplitude p*. Below p* the fraction of the
--- area in contact is compared with a program whose first cell is on a crest.
+-- area in contact is compared with results of another, independent program, whose first cell is on a crest.
 local length, modulus = 0.1, 200e3 / (1 - 0.09) / 2
 local q, points = 2 * math.pi / length, even(0, length * 127 / 128, 128)
 local crests = map{ x = points, z = points, y = function(x, z) return 1e-4 * math.cos(q * x) * math.cos(q * z) end }
@@ -140,8 +140,8 @@ within(few.depth.block, tight.depth.block, 0.001,
 
 -- --- other solvers ---------------------------------------------------------------------------------------
 
--- Tests wear of the ball alone against finite elements of revolution. These bodies, 10 mm high, have an
--- approach 0.9 % smaller than half-spaces.
+-- Tests wear of the ball alone against axisymmetric finite elements. The bodies of finite elements are 10 mm
+-- high, so their approach is 0.9 % smaller than that of half-spaces.
 local spot = { load = 50, alpha = 1, distance = 2000, k = 1e-8 }
 local revolved = wear{ load = spot.load, alpha = 1, distance = spot.distance, slide = "z", scheme = "implicit", tolerance = 1e-3,
   model = { geometry = "axisymmetric", mesh = { size = 0.01, height = 0.01, zone = { cylinder = 1.2, plate = 1.2 } } } }
@@ -156,8 +156,8 @@ within(here.depth.ball, revolved.depth.cylinder, 0.01,
 within(here.p_center, revolved.p_center, 0.02,
   "ball that wears alone: centre pressure by elements of revolution [MPa]")
 
--- Tests the middle of a long crowned roller against the plane model under the same load per length, which is
--- the worn area divided by k d.
+-- Tests the wear in the middle of a long crowned roller against the plane model under the same load per
+-- length. This load is the worn area of both bodies in the section z = 0, divided by k d (distance d).
 local long = model{ geometry = "3-D", upper = body.ball{ radius = 10, radius_z = 1000 }, lower = body.block{} }
 local rolled = wear{ model = long, load = 270, stroke = 0.11, alpha = 0.5, distance = 400, k = 1e-8 }
 rolled:run()

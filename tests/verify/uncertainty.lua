@@ -177,7 +177,8 @@ fails(function() with{ n = 4 }:uncertainty() end, "the study has no results yet"
 
 -- --- a case with a known answer ------------------------------------------------------------------
 
--- Tests the volume of the cylinder, alpha k L d, whose moments and indices are known in closed form.
+-- Tests the wear volume of the cylinder, alpha k L d (load L, distance d). Its mean, standard deviation and
+-- Sobol indices of first and total order are known in closed form.
 local s = with{ n = 64, indices = true, name = "known", sample = { alpha = uniform{ 0.4, 0.6 },
   k = lognormal{ mean = 1e-8, variation = 0.1 }, load = normal{ 100, 5 } } }
 s:run{ file = path("known"), workers = 2, progress = false }

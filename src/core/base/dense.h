@@ -32,8 +32,8 @@ void arc_dense_multiply_transposed(int m, int n, int k, double alpha, const doub
 /* Replaces c by beta c + alpha a b, with a [m x k], b [k x n], c [m x n]. */
 void arc_dense_multiply(int m, int n, int k, double alpha, const double *a, int lda,
                         const double *b, int ldb, double beta, double *c, int ldc);
-/* Adds columns of a, multiplied by x, to y in rows first .. last - 1. x[k], k < n, is the factor on
- * column at[k] of a, or on column k if `at` is NULL. */
+/* Adds n columns of a, each multiplied by its factor, to y. Only rows first .. last - 1 are added.
+ * x[k], k < n, is the factor of column at[k], or of column k if `at` is NULL. */
 void arc_dense_add_columns(int first, int last, int n, const int *at, const double *a, int lda,
                            const double *x, double *y);
 /* Computes the lower triangle of c = a a', with a [n x k], c [n x n]. */

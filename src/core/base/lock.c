@@ -22,7 +22,8 @@ typedef struct question {
   int file, answer; /* descriptor of the file; result of the query: 0 or an errno */
 } question;
 
-/* Queries the lock on a byte that SQLite locks in database files. */
+/* Tests whether the disk supports locks, by a lock query for one byte of the file. Stores 0 or an
+ * errno as the result. The byte, at the offset 2^30, is one that SQLite locks in database files. */
 static arc_status ask(void *job) {
   question *q = job;
   struct flock lock = {.l_type = F_RDLCK, .l_whence = SEEK_SET, .l_start = 1 << 30, .l_len = 1};

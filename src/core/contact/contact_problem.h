@@ -1,12 +1,15 @@
 /* Contact problem with the plate at one position: mortar coupling, contact matrix, solution with
  * warm start.
  *
- * All quantities are in the cylinder's frame and per mm of thickness. B [candidates x plate nodes]
- * maps plate nodal values to cylinder nodes. The forces on the plate are B'f, so the forces on both
- * bodies balance except for rounding errors. The gap under load is g = gap - approach + A f with A
- * = F_c + B F_p B', where F_c and F_p are the compliances of cylinder and plate. f are the y
- * components of the forces along the plate's normals, so that their sum is the load; pressures are
- * f divided by the widths along x (mortar.c). */
+ * All quantities are in the cylinder's frame and per mm of thickness. Candidates are the cylinder
+ * nodes that may touch the plate. The unknowns f are the contact forces at the candidates. These
+ * forces act along the plate's normals, and f are their y components, so the sum of f is the load.
+ * Pressures are f divided by the widths of the nodes along x (mortar.c).
+ *
+ * The matrix B [candidates x plate nodes] maps plate nodal values to the candidates. The forces on
+ * the plate are B'f, so the forces on both bodies balance except for rounding errors. The gap under
+ * load is the initial gap - approach + A f with A = F_c + B F_p B', where F_c and F_p are the
+ * compliances of cylinder and plate. */
 #ifndef CONTACT_CONTACT_PROBLEM_H
 #define CONTACT_CONTACT_PROBLEM_H
 

@@ -58,7 +58,8 @@ static double edge_between(const ending *e) {
 
 /* --- the law ---------------------------------------------------------------------------------- */
 
-/* Value of a pressure or gap at a node, and the derivatives of its value in the edge law with
+/* Equation of the fit at one node. `value` is the pressure, or outside the contact the scaled gap
+ * (see equation_outside). of_c and of_x are the derivatives of the edge law minus this value with
  * respect to the parameters c and x. */
 typedef struct equation {
   double of_c[2], of_x, value;

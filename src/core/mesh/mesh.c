@@ -211,7 +211,8 @@ static int compare_keys(const void *a, const void *b) {
   return (p->i > q->i) - (p->i < q->i);
 }
 
-/* Returns the mirror image of a logical point. On a full circle the two end points coincide. */
+/* Returns the mirror image (-i, j) of the logical point (i, j). The two ends of a closed surface,
+ * such as a full circle, are the same point, which is its own mirror image. */
 static mesh_key mirrored(const body_map *m, mesh_key key) {
   const int seam = arc_body_map_closed(m) && key.i == 2 * (m->columns << m->root_level);
   return (mesh_key){seam ? key.i : -key.i, key.j};

@@ -31,8 +31,8 @@ slip_cycle arc_slip_cycle(arc_wear *w, const wear_window *v, const double *const
                           space_path *path, double *pressure, wear_progress *progress,
                           wear_rate *rate);
 
-/* Returns the position at which the bodies are pressed together: the middle of a plain stroke,
- * otherwise the start of the cycle. */
+/* Returns the position of the lower body [mm] at which the bodies are pressed together: the middle
+ * of the stroke if the run has no loading history, otherwise the start of the cycle. */
 double arc_slip_reference(const wear_block *b);
 
 /* Returns load and motion (or force) at the fraction `share` (0 to 1) of the increment that ends at

@@ -204,8 +204,8 @@ static arc_status contact(const arc_wear *w, arc_contact **result, arc_error *er
   return arc_contact_solve(w->shape, &def, NULL, result, error);
 }
 
-/* Returns the sawtooth component of the middle profile along the motion, divided by the largest
- * depth. */
+/* Returns the amplitude of the sawtooth (oscillation from point to point) in the wear depth along
+ * the body's middle line in the direction of motion, divided by the body's largest depth. */
 static double roughness(const arc_wear *w, arc_body body) {
   const arc_profile line = profile(w->shape, body);
   const arc_wear_record *last = arc_wear_last(w);

@@ -98,8 +98,9 @@ static void motion_of(const holding *h, const double sum[2], double motion[2]) {
   for (int i = 0; i < 2; i++) motion[i] = h->inverse[i][0] * sum[0] + h->inverse[i][1] * sum[1];
 }
 
-/* Computes z = M^-1 (r - motion), with the motion for which z sums to 0 along axes with a given
- * force. */
+/* Computes z = M^-1 (r - motion) from the residual r of all cells. The motion is the same for all
+ * cells. Along an axis with a given force its value is such that the sum of z over the cells is 0;
+ * along other axes it is 0. */
 static void precondition(const stick_slip_problem *p, const stick_slip_work *w, const holding *h,
                          double motion[2]) {
   double sum[2] = {0, 0};

@@ -1,7 +1,8 @@
-/* Computes the operator of a stroke, which maps pressures to displacements at each position plus
- * the wear of both bodies at all positions. The sum of the wear over the positions and the
- * interpolation of the wear at a position use the same weights. The operator is therefore symmetric
- * and volumes are exact. */
+/* Applies the operator of a stroke, which maps the pressures at all positions to one sum per cell
+ * and position: the elastic displacement at this position plus the wear depths of both bodies,
+ * which all positions cause. Pressures are distributed to the rows of the lower body with the same
+ * weights with which its wear is interpolated at a position, so the operator is symmetric. These
+ * weights sum to 1, so the wear volumes of both bodies have no interpolation error. */
 #include "core/space/stroke.h"
 
 #include "core/base/callbacks.h"

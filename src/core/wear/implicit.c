@@ -144,8 +144,9 @@ static double share_of_tolerance(implicit *s, double h) {
   return fmax(depth / (share_per_step * tolerance), pressure / (pressure_share * tolerance));
 }
 
-/* Returns the number of implicit steps of an update. An update of a single increment has one step,
- * because the increment determines its length. */
+/* Returns the number of implicit steps of an update: steps_by_tolerance with error control, and 1
+ * otherwise. An update of a single increment always has one step, because the increment determines
+ * the length of this update. */
 static int count_steps(const implicit *s) {
   const wear_window *window = &s->at.window;
   const int whole = window->first == 0 && window->last == window->block->count - 1;

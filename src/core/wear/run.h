@@ -144,8 +144,8 @@ arc_status arc_wear_create_on(arc_model *model, const arc_wear_def *def, const a
                               arc_wear **wear, arc_error *error);
 
 /* --- record.c --------------------------------------------------------------------------------- */
-/* Stores the largest and the smallest load and the stroke of a cycle of a block in a record. In a
- * block that runs once, they are those of the increment `first`. */
+/* Sets the largest load, the smallest load and the stroke in `record`. If the loading block
+ * repeats, they are those of one cycle; if it runs once, those of its increment `first`. */
 void arc_wear_note_motion(const arc_wear *w, const wear_block *block, int first,
                           arc_wear_record *record);
 arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error);

@@ -59,8 +59,9 @@ static void go_through_layers(const staged *s, double *depth) {
   if (kind->through_layers) kind->through_layers(s->window.shape, depth);
 }
 
-/* Returns the factor by which the mean rate [MPa mm] of site i is multiplied for its wear in the
- * update [mm]. It is 0 for a body that wears uniformly. */
+/* Returns the factor [mm2/N] that converts the mean rate [MPa mm] of site i to its wear depth in
+ * the update [mm]. It is 0 for a lower body that wears uniformly or along a track: its sites have
+ * no depths of their own, and its depth is computed from the sum `even`. */
 static double scale(const staged *s, int i) {
   return s->coefficients.cycles *
          sites_k(s->w, s->coefficients.mean.k, i < s->w->nc ? ARC_UPPER : ARC_LOWER);

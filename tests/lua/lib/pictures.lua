@@ -29,7 +29,8 @@ end
 
 pictures.line = { x = { 0, 1, 2, 3 }, y = { 0, 1, 4, 9 }, title = "squares" }
 
--- Returns a replacement for a wear object, which refuses unknown names like a wear object.
+-- Returns a table that replaces a wear object in tests. It has the given fields and fixed results. To read an
+-- unknown name is an error, as with a wear object.
 function pictures.stand_in(fields)
   fields.pressure = function(_, body)
     return { x = { -0.2, -0.1, 0, 0.1, 0.2 }, p = { 0, 300, body == "plate" and 500 or 400, 300, 0 } }
