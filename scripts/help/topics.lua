@@ -206,6 +206,9 @@ value for abrasive or adhesive wear. Forces of inertia and impacts are not simul
 speed or frequency; therefore PV limits are not predicted. In 3-D, each layer wears with its own k, and the compliance is computed
 for the unworn layers.
 
+Rolling is not simulated. For gears, cams and rolling bearings, one point of the surface can be computed: a cylinder on a plate with
+radius = 1/(1/R1 + 1/R2), the load at this point, and as stroke the distance by which the surfaces slide while it is in contact.
+
 Bodies in 3-D are half-spaces: the contact must be small compared with the radii. A half width above a fifth of the radius causes a warning. For
 conforming bodies use joint{} (a ball in a socket) or a pin in a bush in 2-D: examples "pin_in_bush". Bodies do not tilt under
 load; a misaligned flat or roller is a sloping profile, body.profile{ y=function(x) return 1e-3 * x end }. Ra, Rq and other

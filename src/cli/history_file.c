@@ -70,6 +70,15 @@ char *history_file_open(void) {
   return path;
 }
 
+/* Waits for the lock of the folder, but not longer than 2 s in all: then the history is used
+ * without a lock, so that a program which keeps the lock cannot stop the prompt. */
+static void wait_for_lock(int descriptor) {
+  static int tries = 100;
+  const struct timespec moment = {0, 20000000};
+  while (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK && tries-- > 0)
+    nanosleep(&moment, NULL);
+}
+
 /* Locks the folder and returns a file descriptor. Closing the descriptor releases the lock. */
 static int lock_folder(const char *path) {
   char *folder = strdup(path);
@@ -77,7 +86,7 @@ static int lock_folder(const char *path) {
   *strrchr(folder, '/') = '\0';
   int descriptor = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   free(folder);
-  if (descriptor >= 0) flock(descriptor, LOCK_EX);
+  if (descriptor >= 0) wait_for_lock(descriptor);
   return descriptor;
 }
 

@@ -141,9 +141,10 @@ static int allow_library(struct dl_phdr_info *library, size_t size, void *contex
 }
 
 /* Allows access to a program. If the program is outside the system folders, also allows the folders
- * lib and share beside its folder. */
+ * lib and share/gnuplot beside its folder, but not the rest of share: in a home it contains
+ * personal files. */
 static void allow_program(rules *r, const char *path) {
-  char whole[PATH_MAX], beside[PATH_MAX + 8];
+  char whole[PATH_MAX], beside[PATH_MAX + 16];
   if (!path || !realpath(path, whole)) return;
   allow(r, whole, READ_FILE | EXECUTE);
   char *slash = strrchr(whole, '/');
@@ -153,7 +154,7 @@ static void allow_program(rules *r, const char *path) {
   *slash = '\0';
   snprintf(beside, sizeof beside, "%s/lib", whole);
   allow(r, beside, LOOK);
-  snprintf(beside, sizeof beside, "%s/share", whole);
+  snprintf(beside, sizeof beside, "%s/share/gnuplot", whole);
   allow(r, beside, LOOK);
 }
 

@@ -268,6 +268,12 @@ static void test_locks_by_name(void **state) {
   assert_int_equal(arc_lock_take("file.lock", 0), -1);
   assert_int_equal(errno, EEXIST);
   assert_int_equal(arc_lock_leave("file.lock"), 0);
+  /* a program that was killed while it removed the abandoned lock */
+  assert_int_equal(symlink(text, "file.lock"), 0);
+  assert_int_equal(symlink(text, "file.lock-turn"), 0);
+  assert_int_equal(arc_lock_take("file.lock", 0), 0);
+  assert_int_equal(access("file.lock-turn", F_OK), -1);
+  assert_int_equal(arc_lock_leave("file.lock"), 0);
   assert_int_equal(symlink("0123456789abcdef-1", "file.lock"), 0);
   assert_int_equal(arc_lock_take("file.lock", 0), -1);
   assert_int_equal(arc_lock_leave("file.lock"), 0);

@@ -60,7 +60,7 @@ end
 
 -- The stick zone ends at rows of cells on its axes. If a straight row slips that is largely within the zone, the
 -- largest depth is up to 5.5 % too large.
-for _, case in ipairs{ { 0.4, 4.9191e-5 }, { 0.45, 6.2361e-5 }, { 0.55, 9.6684e-5 }, { 0.6, 1.1926e-4 } } do
+for _, case in ipairs{ { 0.45, 6.2361e-5 }, { 0.55, 9.6684e-5 }, { 0.6, 1.1926e-4 } } do
   within(fret(0, case[1], 0):run{ progress = false }.depth.cylinder, case[2], 0.01,
     ("nu = 0, %g of full slip, automatic cells, end of wear: depth [mm]"):format(case[1]))
 end

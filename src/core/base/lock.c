@@ -100,11 +100,16 @@ static int make(const char *lock) {
 }
 
 /* Removes an abandoned lock. If several programs find the same abandoned lock, only one of them
- * checks it again and removes it. */
+ * checks it again and removes it: the one that makes the second lock LOCK-turn. An abandoned second
+ * lock, of a program that was killed here, is removed in the same manner. */
 static void remove_left(const char *lock) {
   char turn[PATH_MAX];
-  if ((size_t)snprintf(turn, sizeof turn, "%s-turn", lock) >= sizeof turn || make(turn) != 0)
-    return;
+  if ((size_t)snprintf(turn, sizeof turn, "%s-turn", lock) >= sizeof turn) return;
+  if (make(turn) != 0) {
+    if (errno != EEXIST || !is_left(turn)) return;
+    remove_left(turn);
+    if (make(turn) != 0) return;
+  }
   if (is_left(lock)) unlink(lock);
   unlink(turn);
 }
