@@ -2,7 +2,6 @@
 -- export.csv tables of points.
 
 local axis = require "archard.map.axis"
-local as_utf8 = require "archard.lib.as_utf8"
 local check = require "archard.lib.check"
 local files = require "archard.files"
 local gsf = require "archard.map.gsf"
@@ -10,10 +9,9 @@ local joint_history = require "archard.joint.history"
 local map = require "archard.map.class"
 local strict = require "archard.strict"
 local written = require "archard.lib.written"
+local xml = require "archard.export.xml"
 
 local maps = {}
-
-local escapes = { ["&"] = "&amp;", ["<"] = "&lt;", ['"'] = "&quot;" }
 
 -- Checks the path of a file and returns it. The extension `ending` is added to a path without an extension;
 -- any other extension is an error.
@@ -116,8 +114,8 @@ function maps.write(where, list, path)
       files.number(axis.step(x)), files.number(axis.step(z))),
     ('<Piece Extent="%s">'):format(extent), "<PointData>" }
   for _, t in ipairs(list) do
-    local name = as_utf8(t.name):gsub("%c", " "):gsub('[&<"]', escapes)
-    lines[#lines + 1] = ('<DataArray type="Float64" Name="%s" format="ascii">'):format(name)
+    local name = t.name:gsub("%c", " ")
+    lines[#lines + 1] = ('<DataArray type="Float64" Name="%s" format="ascii">'):format(xml(name))
     add_values(lines, t)
     lines[#lines + 1] = "</DataArray>"
   end

@@ -7,9 +7,9 @@ local files = require "archard.files"
 local joint_file = require "archard.joint.file"
 local maps = require "archard.export.maps"
 local vtk = require "archard.export.sphere".vtk
+local xml = require "archard.export.xml"
 
 local where = "export.pvd"
-local escapes = { ["&"] = "&amp;", ["<"] = "&lt;", ['"'] = "&quot;" }
 
 -- Writes the .pvd file, which lists the files of all states. It is rewritten after each state, so the list is
 -- always complete.
@@ -17,7 +17,7 @@ local function write_list(path, parts)
   local lines = { '<?xml version="1.0"?>', '<VTKFile type="Collection" version="1.0">', "<Collection>" }
   for _, part in ipairs(parts) do
     lines[#lines + 1] = ('<DataSet timestep="%s" part="%d" file="%s"/>'):format(
-      files.number(part.distance), part.number, (part.file:match("[^/]*$"):gsub('[&<"]', escapes)))
+      files.number(part.distance), part.number, xml(part.file:match("[^/]*$")))
   end
   lines[#lines + 1] = "</Collection>\n</VTKFile>\n"
   files.write(where, path, table.concat(lines, "\n"))

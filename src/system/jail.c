@@ -323,25 +323,15 @@ static void refuse(filter *f, const unsigned *calls, size_t count, int why) {
   }
 }
 
-/* Refuses a call if `test` (BPF_JEQ or BPF_JSET) of the lower half of an argument against `value`
- * is true (`when` 1) or false (`when` 0). */
-static void refuse_where(filter *f, unsigned call, int argument, unsigned short test,
-                         uint32_t value, int when) {
+/* Refuses a call if the bits `mask` of the lower half of an argument equal `value` (`when` 1) or
+ * differ from it (`when` 0). */
+static void refuse_where(filter *f, unsigned call, int argument, uint32_t mask, uint32_t value,
+                         int when) {
   load(f, offsetof(struct seccomp_data, nr));
-  add(f, BPF_JMP | BPF_JEQ | BPF_K, call, 0, 3);
+  add(f, BPF_JMP | BPF_JEQ | BPF_K, call, 0, 4);
   load(f, offsetof(struct seccomp_data, args) + 8 * (size_t)argument);
-  add(f, BPF_JMP | test | BPF_K, value, when ? 0 : 1, when ? 1 : 0);
-  end(f, SECCOMP_RET_ERRNO | EPERM);
-}
-
-/* Refuses mmap of shared memory without a file, which limits of memory do not count. */
-static void refuse_shared_memory(filter *f) {
-  const uint32_t both = MAP_SHARED | MAP_ANONYMOUS;
-  load(f, offsetof(struct seccomp_data, nr));
-  add(f, BPF_JMP | BPF_JEQ | BPF_K, SYS_mmap, 0, 4);
-  load(f, offsetof(struct seccomp_data, args) + 8 * 3); /* flags */
-  add(f, BPF_ALU | BPF_AND | BPF_K, both, 0, 0);
-  add(f, BPF_JMP | BPF_JEQ | BPF_K, both, 0, 1);
+  add(f, BPF_ALU | BPF_AND | BPF_K, mask, 0, 0);
+  add(f, BPF_JMP | BPF_JEQ | BPF_K, value, when ? 0 : 1, when ? 1 : 0);
   end(f, SECCOMP_RET_ERRNO | EPERM);
 }
 
@@ -356,29 +346,31 @@ static void begin(filter *f) {
 }
 
 static void write_filter(filter *f) {
-  const uint32_t spaces = CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC |
-                          CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNET;
+  enum { SOCK_TYPE = 0xf }; /* without the flags of the argument */
+  const uint32_t all = UINT32_MAX, spaces = CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS |
+                                            CLONE_NEWIPC | CLONE_NEWUSER | CLONE_NEWPID |
+                                            CLONE_NEWNET;
   begin(f);
   refuse(f, denied, sizeof denied / sizeof *denied, EPERM);
   refuse(f, older, sizeof older / sizeof *older, EPERM);
   refuse(f, newer, sizeof newer / sizeof *newer, EPERM);
   refuse(f, unknown, sizeof unknown / sizeof *unknown, ENOSYS);
-  /* AF_UNIX streams are allowed, because they connect children. The other types (2 to 5) can send
-   * to sockets outside. */
-  refuse_where(f, SYS_socketpair, 0, BPF_JEQ, AF_UNIX, 0);
-  refuse_where(f, SYS_socketpair, 1, BPF_JSET, 0xe, 1);
+  /* AF_UNIX streams are allowed, because they connect children. Sockets of other types can send to
+   * sockets outside. */
+  refuse_where(f, SYS_socketpair, 0, all, AF_UNIX, 0);
+  refuse_where(f, SYS_socketpair, 1, SOCK_TYPE, SOCK_STREAM, 0);
   /* Rights of open files may change, as SQLite needs it, but not to those of the owner's programs.
    */
-  refuse_where(f, SYS_fchmod, 1, BPF_JSET, S_ISUID | S_ISGID | S_ISVTX, 1);
-  refuse_where(f, SYS_ioctl, 1, BPF_JEQ, FS_IOC_SETFLAGS, 1);
-  refuse_where(f, SYS_ioctl, 1, BPF_JEQ, FS_IOC_FSSETXATTR, 1);
-  refuse_where(f, SYS_fcntl, 1, BPF_JEQ, F_NOTIFY, 1);
-  refuse_where(f, SYS_fcntl, 1, BPF_JEQ, F_SETLEASE, 1);
-  refuse_where(f, SYS_clone, 0, BPF_JSET, spaces, 1);
+  refuse_where(f, SYS_fchmod, 1, S_ISUID | S_ISGID | S_ISVTX, 0, 0);
+  refuse_where(f, SYS_ioctl, 1, all, FS_IOC_SETFLAGS, 1);
+  refuse_where(f, SYS_ioctl, 1, all, FS_IOC_FSSETXATTR, 1);
+  refuse_where(f, SYS_fcntl, 1, all, F_NOTIFY, 1);
+  refuse_where(f, SYS_fcntl, 1, all, F_SETLEASE, 1);
+  refuse_where(f, SYS_clone, 0, spaces, 0, 0);
   /* TIOCSTI inserts text into the input of the terminal */
-  refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCSTI, 1);
-  refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCLINUX, 1);
-  refuse_where(f, SYS_prlimit64, 0, BPF_JEQ, 0, 0); /* 0: this process */
+  refuse_where(f, SYS_ioctl, 1, all, TIOCSTI, 1);
+  refuse_where(f, SYS_ioctl, 1, all, TIOCLINUX, 1);
+  refuse_where(f, SYS_prlimit64, 0, all, 0, 0); /* 0: this process */
 }
 
 static int install(filter *f) {
@@ -400,12 +392,13 @@ int arc_jail_alone(void) {
   filter f = {.length = 0};
   begin(&f);
   refuse(&f, rights, 1, EPERM);
-  refuse_shared_memory(&f);
+  /* limits of memory do not count shared memory without a file */
+  refuse_where(&f, SYS_mmap, 3, MAP_SHARED | MAP_ANONYMOUS, MAP_SHARED | MAP_ANONYMOUS, 1);
 #ifdef SYS_fork
   static const unsigned processes[] = {SYS_fork, SYS_vfork};
   refuse(&f, processes, 2, EPERM);
 #endif
-  refuse_where(&f, SYS_clone, 0, BPF_JSET, CLONE_THREAD, 0);
+  refuse_where(&f, SYS_clone, 0, CLONE_THREAD, 0, 1);
   return install(&f);
 }
 
