@@ -1,8 +1,8 @@
 -- Runs a function in a transaction of a run file: either all of its writes are stored or none.
 
--- Calls work(...) in a transaction of `store`. On an error, all writes are undone and the error is raised
--- again.
-return function(store, work, ...)
+local collect = collectgarbage
+
+local function run(store, work, ...)
   store:begin()
   local fine, why = pcall(work, ...)
   if not fine then
@@ -10,4 +10,15 @@ return function(store, work, ...)
     error(why, 0)
   end
   store:commit()
+end
+
+-- Calls work(...) in a transaction of `store`. On an error, all writes are undone and the error is raised
+-- again. No garbage is collected meanwhile: a finalizer could open and close the same file, after which the
+-- system releases the file's locks.
+return function(store, work, ...)
+  local collects = collect "isrunning"
+  collect "stop"
+  local fine, why = pcall(run, store, work, ...)
+  if collects then collect "restart" end
+  if not fine then error(why, 0) end
 end

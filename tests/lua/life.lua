@@ -176,10 +176,22 @@ fails(function() run_of{ k = function() error(setmetatable({}, { __tostring = er
 local files = os.tmpname()
 os.remove(files)
 run_of{}:save(files)
-local store <close> = require "archard.store".open(files)
+local store <close> = require "archard.store".open(files, "write")
 fails(function() store:publish() end, "was not made to replace a file",
   "publish of a store that replaces no file")
 is(#store:cases(), 1, "the store remains open after the error")
+
+-- A finalizer that opens and closes a run file would release the locks of a transaction in this file.
+local finalized
+require "archard.study.transaction"(store, function()
+  setmetatable({}, { __gc = function() finalized = wear.open(files).distance end })
+  local garbage
+  for i = 1, 3e5 do garbage = { i, garbage and garbage[1] } end
+end)
+ok(not finalized, "no finalizer is called during a transaction")
+ok(collectgarbage "isrunning", "garbage is collected again after a transaction")
+collectgarbage()
+is(finalized, 0, "the finalizer is called afterwards")
 os.remove(files)
 fails(function() run_of{ slide = "x", loading = { x = { 0, 1e300, 0 } } } end, "expected a path of at most 100000 increments",
   "a motion of too many increments")
