@@ -91,6 +91,11 @@ local coated = body.block{ name = "coated", material = material{ name = "100Cr6"
 tap.is(tostring(coated), "coated (block): 100Cr6, E 210000 MPa nu 0.3\n  0.05 mm of DLC, E 200000 MPa nu 0.3 k 1e-10 mm2/N = 1e-07 mm3/(N m)",
   "print(body)")
 local flat_map = body.map{ E = 1e5, y = map{ x = { 0, 1, 2, 3 }, z = { 0, 1, 2, 3 }, y = function() return 0 end } }
+local hostile = material{ E = 2e5, nu = 0.3, name = "a\27[2J\u{202E}" }
+for what, printed in pairs{ material = hostile, body = body.block{ material = hostile }, model = model{ lower = body.block{ material = hostile } } } do
+  has(printed, "a\\x1b[2J\\xe2\\x80\\xae", "name of a material in the print of a " .. what)
+  ok(not tostring(printed):find("\27", 1, true), "no control characters in the print of a " .. what)
+end
 tap.is(tostring(flat_map), "map: E 100000 MPa nu 0.3", "print of a body.map")
 local named = model{ lower = coated, cylinder = { name = "bronze", E = 1e5 }, mesh = coarse.mesh and { size = 0.1, height = 0.1 } }
 tap.is(named.cylinder.name, "bronze", "the name of a material is stored in the model")

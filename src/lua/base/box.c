@@ -109,10 +109,15 @@ static int class_close(lua_State *L) {
   return 0;
 }
 
+/* Texts may contain names from files of others; hence control characters are escaped. */
 static int class_tostring(lua_State *L) {
   const box_class *class = class_upvalue(L);
   const box *self = box_test(L, 1, class);
-  if (self && self->thing && !self->closing) return class->tostring(L);
+  if (self && self->thing && !self->closing) {
+    class->tostring(L);
+    error_push_plain(L, lua_tostring(L, -1));
+    return 1;
+  }
   lua_pushfstring(L, "%s (closed)", class->name);
   return 1;
 }

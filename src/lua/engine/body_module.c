@@ -349,6 +349,7 @@ static int body_tostring(lua_State *L) {
   luaL_buffinit(L, &text);
   pair_add_body(&text, &model, ARC_UPPER);
   luaL_pushresult(&text);
+  error_push_plain(L, lua_tostring(L, -1));
   return 1;
 }
 
