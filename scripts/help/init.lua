@@ -266,9 +266,9 @@ local function everything()
 end
 
 -- Returns the topics, entries and examples that contain all words of a text or are listed for the text as a
--- synonym. The best are first. Also returns the number of good answers among them.
+-- synonym. The best are first. Also returns the number of good answers among them, and true if a synonym lists these.
 function help.matches(text)
-  if type(text) ~= "string" then return {}, 0 end
+  if type(text) ~= "string" then return {}, 0, false end
   return search.find(everything(), text)
 end
 
@@ -286,15 +286,12 @@ local function nearest(name)
   return names.nearest(name, known) or names.nearest(name:match("[^.]+$") or name, known)
 end
 
--- Returns a text: the entry that best answers a question, and a list of further entries. Returns nil if no
--- entry answers the question.
-local function answer(question)
-  local found = search.answers(everything(), question)
-  local best = table.remove(found, 1)
+-- Returns a text: the first of the entries found, and a list of the others. Returns nil without an entry.
+local function first_of(found)
+  local best, others = found[1], {}
   if not best then return nil end
-  local others = {}
-  for _, entry in ipairs(found) do
-    if entry.owner ~= best.address then others[#others + 1] = entry end
+  for i = 2, #found do
+    if found[i].owner ~= best.address then others[#others + 1] = found[i] end
   end
   local text = show.entry(help, best)
   return others[1] and text .. "\n\n" .. show.others(others, 5) or text
@@ -310,10 +307,11 @@ local function explain_name(name)
     for i, entry in ipairs(found) do texts[i] = show.entry(help, entry) end
     return table.concat(texts, "\n\n")
   end
-  local text = #search.words(name) > 1 and answer(name)
+  local text = #search.words(name) > 1 and first_of(search.answers(everything(), name))
   if text then return text end
-  local sure
-  found, sure = help.matches(name)
+  local sure, meant
+  found, sure, meant = help.matches(name)
+  if meant then return first_of(table.move(found, 1, sure, 1, {})) end
   if sure > 0 then return show.found(found, name, math.min(sure, 12)) end
   local near = nearest(spoken(name))
   local hint = #found > 0 and ("help.search %q finds entries with parts of these words"):format(name)

@@ -1,7 +1,9 @@
 -- Help entries of balls in sockets: joint, gait. help/engine.lua explains the form of an entry.
 
 return {
-  { "joint", kind = "function", use = "joint{ head={ radius=14 }, cup={ clearance=0.06 } }",
+  { "joint", kind = "function", use = 'j = joint{ head={ radius=14 }, cup={ clearance=0.06 } }\n'
+    .. 'w = wear{ model=j, loading=gait "iso", k=3e-11, cycles=1e6 }\n'
+    .. 'w:run()  print(w.volume.cup, w.depth.cup)  plot.map(w, "cup")',
     text = "A ball in a socket, such as an artificial hip. The contact is elastic and frictionless, between "
       .. "complete concentric spheres and shells with layers, to first order in the ratio of displacement to "
       .. "radius. The default is a metal-on-metal hip with a head of 28 mm. The wear depths of head and cup are "

@@ -74,8 +74,8 @@ local function by_synonym(joined)
   return positions
 end
 
--- Returns the entries found for a phrase, the best first, and the number of good answers. Good answers are
--- the entries that a synonym lists or, without a synonym, the entries that contain the whole words.
+-- Returns the entries found for a phrase, the best first, the number of good answers, and true if a synonym lists
+-- these. Without a synonym, good answers are the entries that contain the whole words.
 function search.find(entries, text)
   local words, found = search.words(text), {}
   if not words[1] then return found, 0 end
@@ -89,7 +89,7 @@ function search.find(entries, text)
   end
   table.sort(found, function(a, b) return a.key < b.key end)
   for i, each in ipairs(found) do found[i] = each.entry end
-  return found, sure
+  return found, sure, next(meant) ~= nil
 end
 
 -- --- questions ---------------------------------------------------------------------------------

@@ -192,7 +192,8 @@ Files        csv.read("m.csv")  export.csv(w, "w.csv")  export.vtk(c, "c.vtu")
 Session      who()  session.save("s.archard")  session.open("s.archard")
              examples()  examples.run("wear")  time(f)
 Topics       help "units"  "running in"  "files"  "meshes"  "gmsh"  "3-D"
-             "steps"  "accuracy"  "fretting"  "warning"  "limits"  "glossary"
+             "steps"  "accuracy"  "fretting"  "pin on disc"  "coating"
+             "measured surface"  "continue"  "warning"  "limits"  "glossary"
              "run time"  "troubleshooting"  "citation"
 
 help(wear) explains an object, help(w.step) a method, help "jump" a name,

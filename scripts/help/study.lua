@@ -228,7 +228,7 @@ return {
   { "calibrate{distance}", type = "number or list of numbers", unit = "mm",
     text = "Travelled distance of the test; a list if volumes were measured at several distances." },
   { "calibrate{confidence}", type = "number", default = 0.95,
-    text = "Confidence level of the interval from low to high of the mean coefficients (Student's distribution)." },
+    text = "Confidence level of the interval between the results low and high, for each mean coefficient (Student's t distribution)." },
   { "calibrate{error}", type = "number", unit = "mm3",
     text = "Standard deviation of a volume measurement, from which the intervals of a single test are computed." },
   { "calibrate{accuracy}", type = "number", default = 1e-4,

@@ -58,8 +58,8 @@ return {
     text = "Heights of the points; nil in a profile of depths." },
   { "profile.h", kind = "field", type = "list", unit = "mm",
     text = "Depths of the points, negative above the reference; nil in a profile of heights. In worn = { plate = p "
-      .. "}, negative depths of up to 5 standard deviations of the noise count as 0, and larger ones are refused; "
-      .. "heights are converted to depths below the highest point." },
+      .. "}, a point above the reference by up to 5 standard deviations of the noise has the depth 0, and a higher "
+      .. "point is an error; a profile of heights is converted to depths below its highest point." },
   { "profile.error", kind = "field", type = "number", unit = "mm",
     text = "Standard deviation of the noise of a point. It is set by the user or estimated from the "
       .. "deviation of each point from the line between its neighbours (which includes roughness at the "
@@ -127,8 +127,11 @@ return {
     text = "Number of sections; default: 5, or as many as fit into the trace (1 for a P-profile)." },
 
   -- --- plot -----------------------------------------------------------------------------------
-  { "plot", kind = "function", use = "plot{ {x=..., y=..., title=...}, ..., xlabel=..., file=... }",
-    text = "Draws curves with gnuplot: in the terminal, a window or a file. The list part of the table contains "
+  { "plot", kind = "function", use = 'plot.profile(w)   plot.history(w, "depth_plate", { file="wear.png" })\n'
+    .. "plot{ {x=..., y=..., title=...}, ..., xlabel=..., file=... }",
+    text = "plot.profile, plot.history, plot.pressure and others draw results of a run w: the worn profiles, a "
+      .. "column of its history over the distance. All accept the fields below, such as file, in a table at the end. plot{} "
+      .. "draws curves of lists. Pictures are drawn with gnuplot: in the terminal, a window or a file. The list part of the table contains "
       .. "the curves; NaN and infinite values interrupt a line. In titles \\alpha becomes the Greek letter, and "
       .. "p_H and mm^2 have a subscript and a superscript (in files and windows). More than eight curves are "
       .. "labelled at their ends." },

@@ -176,6 +176,75 @@ the limit may still be too long: compare with a run with half the jump.
 increments is the number of parts of a cycle; with "auto" the plate moves by at most an eighth of the half width in each part.
 w:step() makes one update, w:run() all updates; Ctrl-C stops after the current step, and w:run() continues. examples "steps" compares the choices.]] },
 
+  { "coating", [[
+A coating is a layer of a body, with a thickness in mm and a material with its own E, nu and k. The body below it has its own k.
+Example: 2 um of DLC on a steel plate, worn until the coating is worn through, and then to the end of the run:
+
+  dlc = material{ name="DLC", E=200e3, nu=0.25, k=2e-9 }
+  w = wear{ load=100, stroke=0.2, distance=6000, jump="auto", model={
+      lower=body.block{ k=2e-8,
+        layers={{ thickness=2e-3, material=dlc }} } } }
+  w:run{ depth={ plate=2e-3 } }
+  print(w.distance, w.cycle)     -- mm and cycles until it is worn through
+  w:run()                        -- the body wears below the coating
+  plot.profile(w)
+
+layers lists up to four layers from the surface inwards; layers={{ ... }} of the upper body coats the cylinder. Bodies of
+geometry = "3-D" have layers too. s:failure{} computes the scatter of this life for uncertain thickness and k. See examples
+"coating_wear_through", "coating", "coating_3d"; the first has a hard coating on a soft body, the last a ball.]] },
+
+  { "pin on disc", [[
+A ball on a rotating disc in three dimensions; both wear, and the disc gets a track:
+
+  w = wear{ model={ geometry="3-D", upper=body.ball{ radius=3 },
+      lower=body.block{} }, load=5, track=10,
+      k_cylinder=2e-9, k_plate=2e-8, cycles=1000 }
+  w:run()
+  print(w.depth.ball, w.depth.block, w.volume.ball, w.volume.block) -- mm, mm3
+  plot.profile(w)                -- sections along and across the motion
+
+track is the mean radius of the track in mm; a cycle is a revolution, so a distance d in mm is cycles = d / (2 * math.pi * track).
+k_cylinder is the wear coefficient of the pin, k_plate that of the disc, in mm2/N (help "units").
+
+A pin with a flat end is a body.punch{} with geometry = "axisymmetric". If only the pin wears (alpha = 1), no track is needed; with
+track the disc wears too, but remains flat: its depth is the mean over the track. See help "axisymmetric". For a ball, use "3-D".
+Wear of both bodies from published volumes: calibrate{}. See examples "pin_on_disc_3d".]] },
+
+  { "measured surface", [[
+A trace of a profilometer is read by profile.read, a measured area by map.read. Both remove tilt, outliers and missing points, and
+convert units to mm.
+
+To compare a run with a measured scar:
+
+  p = profile.read("trace.csv"):depth()    -- below a line beside the scar
+  print(p:volume().area, w.volume.plate)   -- mm2 of the section, mm3
+  plot.profile(w, "plate", { measured=p })
+
+To start a run with measured surfaces:
+
+  w = wear{ worn={ plate=p }, load=100 }   -- depths on the default plate
+  lower = body.profile{ y=profile.read "shape.csv" }   -- shape of a body, 2-D
+  ball = map.read("ball.sdf", { level="sphere", fill=true })
+  upper = body.map{ y=ball, radius=5 }                 -- shape in 3-D
+
+The bodies are then used in model{ upper=, lower= }; body.map needs geometry = "3-D". fit{ data= } finds k and alpha from profiles and
+maps. Files of .x3p and .gwy are not read; save them as .sdf or .gsf. See examples "measured_profile", "rough_ball", "fit_scar".]] },
+
+  { "continue", [[
+Ctrl-C stops a run after its present step, and w:run() continues it. To continue in another session:
+
+  w:save("run.archard")              -- writes the run to a file
+  w = wear.open("run.archard")       -- later: reads it
+  w:run()                            -- continues with the same results
+  w:run{ cycles=20000 }              -- continues a finished run
+
+A run is stored only by w:save. To store it regularly, for example each 1000 cycles:
+
+  for n = 1000, 20000, 1000 do w:run{ cycles=n } w:save("run.archard") end
+
+s:run{ file= } stores each case of a study when it ends; after an interruption study.open(file):run() computes the rest.
+session.save("s.archard") stores all objects of the prompt, session.open("s.archard") restores them.]] },
+
   { "fretting", [[
 Fretting is a motion so short that the elastic deformation is as large as the slip, so friction matters. Example: a cylinder
 is pressed with 100 N on a plate, which is moved by an oscillating force of 30 N:
@@ -185,8 +254,8 @@ is pressed with 100 N on a plate, which is moved by an oscillating force of 30 N
   print(w.gross, w.cycle_energy)     -- 0: partial slip; N mm in each cycle
   plot.loop(w)                       -- tangential force over displacement
 
-tangential is the amplitude of the force, which must be less than friction times load; stroke is the full motion in mm, instead of a
-force. If the force is small, the middle of the contact sticks and only its edges slip and wear: partial slip. Beyond friction times load the whole contact
+tangential is the amplitude of the force, which must be less than friction times load; stroke, instead of a force, is the full motion in mm, twice the
+amplitude. If the force is small, the middle of the contact sticks and only its edges slip and wear: partial slip. Beyond friction times load the whole contact
 slips: gross slip, w.gross is 1. study.fretting_map{} computes both regimes for many loads and motions.
 
 contact{ friction=, load= }:move{ x=, tangential= } computes single motions: c.stick, c:shear(), c:slip(), plot.shear, plot.slip.
