@@ -23,6 +23,8 @@ local trace = { x = {}, z = {} }
 for i = 1, 21 do trace.x[i], trace.z[i] = (i - 11) / 10, 1e-3 * math.cos(i) end
 local traced = body.profile(profile(trace))
 ok(traced.x[3] == trace.x[3] and traced.y[3] == trace.z[3], "points of a profile given as a measured trace")
+local soft = body.profile{ y = profile(trace), E = 3e3, width = 10 }
+ok(soft.y[3] == trace.z[3] and soft.x[21] == 1 and soft.E == 3e3, "a measured trace as field y beside other fields")
 is(model{ geometry = "plane", mesh = { size = 0.2, height = 0.2 } }.geometry, "plane strain",
   "geometry plane means plane strain")
 

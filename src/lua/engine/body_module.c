@@ -445,21 +445,6 @@ void body_push(lua_State *L, const arc_model_def *model, arc_body body) {
 
 /* --- constructors of bodies ------------------------------------------------------------------- */
 
-/* Replaces an object of class profile (a measured profile) at index 1 by a table { x=, y= }. */
-static void take_measured(lua_State *L) {
-  if (luaL_getmetafield(L, 1, "__name") == LUA_TNIL) return;
-  const int measured =
-      lua_type(L, -1) == LUA_TSTRING && strcmp(lua_tostring(L, -1), "profile") == 0;
-  lua_pop(L, 1);
-  if (!measured) return;
-  lua_createtable(L, 0, 2);
-  lua_getfield(L, 1, "x");
-  lua_setfield(L, -2, "x");
-  lua_getfield(L, 1, "z");
-  lua_setfield(L, -2, "y");
-  lua_replace(L, 1);
-}
-
 /* body.KIND{...}: returns a checked copy of the table, with the field `kind`. */
 static int make(lua_State *L) {
   const arc_solid kind = (arc_solid)lua_tointeger(L, lua_upvalueindex(1));
@@ -472,11 +457,11 @@ static int make(lua_State *L) {
   lua_settop(L, 1);
   if (lua_isnil(L, 1)) lua_newtable(L), lua_replace(L, 1);
   args_check_table(L, 1, where);
-  if (has_points(kind)) take_measured(L);
-  if (has_map(kind) && body_is_map(L, 1))
+  if ((has_points(kind) && body_is(L, 1, "profile")) || (has_map(kind) && body_is(L, 1, "map")))
     lua_newtable(L);
   else
     args_push_copy(L, 1);
+  if (has_points(kind)) body_take_profile(L);
   if (has_map(kind)) body_take_map(L, location);
   lua_pushstring(L, arc_solid_names[kind]);
   lua_setfield(L, 2, "kind");

@@ -91,18 +91,30 @@ void body_read_map(lua_State *L, int index, args_location location, arc_body_def
   }
 }
 
-int body_is_map(lua_State *L, int index) {
+int body_is(lua_State *L, int index, const char *class) {
   if (luaL_getmetafield(L, index, "__name") == LUA_TNIL) return 0;
-  const int is = lua_type(L, -1) == LUA_TSTRING && strcmp(lua_tostring(L, -1), "map") == 0;
+  const int is = lua_type(L, -1) == LUA_TSTRING && strcmp(lua_tostring(L, -1), class) == 0;
   lua_pop(L, 1);
   return is;
+}
+
+void body_take_profile(lua_State *L) {
+  lua_pushvalue(L, 1);
+  if (!body_is(L, -1, "profile")) lua_getfield(L, 1, "y");
+  if (body_is(L, -1, "profile")) {
+    lua_getfield(L, -1, "x");
+    lua_setfield(L, 2, "x");
+    lua_getfield(L, -1, "z");
+    lua_setfield(L, 2, "y");
+  }
+  lua_settop(L, 2);
 }
 
 void body_take_map(lua_State *L, args_location location) {
   static const char *const names[] = {"x", "z", "y", "unit"};
   lua_pushvalue(L, 1);
-  if (!body_is_map(L, 1)) lua_getfield(L, 1, "y");
-  if (!body_is_map(L, -1)) {
+  if (!body_is(L, 1, "map")) lua_getfield(L, 1, "y");
+  if (!body_is(L, -1, "map")) {
     script_require(L, "archard.map.made");
     lua_getfield(L, -1, "new");
     lua_newtable(L);

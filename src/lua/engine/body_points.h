@@ -16,8 +16,12 @@ void body_read_profile(lua_State *L, int index, args_location location, double r
  * valid until the calling C function returns. */
 void body_read_map(lua_State *L, int index, args_location location, arc_body_def *def);
 
-/* Returns true if the value at `index` is an object of class map. */
-int body_is_map(lua_State *L, int index);
+/* Returns true if the value at `index` is an object of the class ("profile" or "map"). */
+int body_is(lua_State *L, int index, const char *class);
+
+/* Sets x and y of the table at index 2 from a measured profile: the value at index 1, or its field
+ * y. If both are no profile, the table is unchanged. */
+void body_take_profile(lua_State *L);
 
 /* Sets x, z and y of the table at index 2 from the value at index 1, which is a map, a table with a
  * map in its field y, or a table with the fields of a map. Raises an error if the unit is not
