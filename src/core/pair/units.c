@@ -5,6 +5,7 @@
 #include "core/base/callbacks.h"
 
 #include <math.h>
+#include <stdio.h>
 
 static const double softest = 500,
                     stiffest = 2e6; /* lowest and highest modulus of usual materials [MPa] */
@@ -17,6 +18,14 @@ static void warn_modulus(const char *name, double E, const arc_callbacks *callba
   if (E > stiffest)
     arc_warn(callbacks, "E = %g MPa of the %s is above that of diamond: was %g Pa meant (E = %g)?",
              E, name, E, 1e-6 * E);
+}
+
+void arc_units_doubt(const arc_model_def *model, char *text, size_t size) {
+  const double E = fmin(model->material[ARC_UPPER].E, model->material[ARC_LOWER].E);
+  text[0] = '\0';
+  if (E < softest)
+    snprintf(text, size, "; E = %g MPa is that of a soft plastic or rubber: was %g GPa meant?", E,
+             E);
 }
 
 void arc_units_warn_pair(const arc_model_def *model, double p_max, const arc_callbacks *callbacks) {

@@ -9,6 +9,10 @@
  * smaller modulus. */
 void arc_units_warn_pair(const arc_model_def *model, double p_max, const arc_callbacks *callbacks);
 
+/* Writes a text for the end of an error message to `text`: whether the smaller modulus is probably
+ * in GPa. Writes "" if it is a usual modulus. */
+void arc_units_doubt(const arc_model_def *model, char *text, size_t size);
+
 /* Checks a coefficient of friction. */
 void arc_units_warn_friction(double friction, const arc_callbacks *callbacks);
 

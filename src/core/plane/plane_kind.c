@@ -1,6 +1,7 @@
 /* Functions of the pair kind "plane": two meshed bodies whose contact is a line of nodes. */
 #include "core/base/callbacks.h"
 #include "core/base/carve.h"
+#include "core/pair/units.h"
 #include "core/plane/newton.h"
 #include "core/plane/solution.h"
 
@@ -75,16 +76,17 @@ static int find_ends(const wear_block *block, double radius, int end[ENDS]) {
 static arc_status refuse_zones(const arc_model_def *def, const double zone[ARC_BODIES],
                                const arc_error *why, arc_error *error) {
   const double degrees = 0.5 * arc_model_widest_zone(def, ARC_PLATE) / arc_model_arc_length(def, 1);
-  char angle[100] = "";
+  char angle[100] = "", doubt[120];
   if (arc_model_is_hole(def))
     snprintf(angle, sizeof angle,
              ": %.0f degrees to either side for the contact during the rotation", degrees);
+  arc_units_doubt(def, doubt, sizeof doubt);
   return arc_fail(error, ARC_ZONE,
                   "%s (this run needs zones of %.2f and %.2f mm, larger than the bodies allow, "
-                  "%.2f and %.2f mm%s)",
+                  "%.2f and %.2f mm%s%s)",
                   why->message, zone[ARC_CYLINDER], zone[ARC_PLATE],
                   arc_model_widest_zone(def, ARC_CYLINDER), arc_model_widest_zone(def, ARC_PLATE),
-                  angle);
+                  angle, doubt);
 }
 
 /* Reports an error at an extreme point of a path. If a zone is too narrow, the message includes
