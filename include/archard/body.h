@@ -112,10 +112,11 @@ extern const arc_setting
 typedef struct arc_body_def {
   ARC_BODY_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE, ARC_MEMBER_TEXT)
   double y;            /* unused, always 0; the heights are in y_series */
-  arc_series y_series; /* heights [mm], positive out of the body. The heights of a profile are given
-                          over x [mm], linear between points and constant beyond them; the heights
-                          of a map are given over the index of the point, where z varies fastest.
-                          The caller owns the arrays; a model stores a copy */
+  arc_series y_series; /* heights [mm], positive out of the body. A profile has heights at
+                          positions x [mm], and is linear between them and constant beyond them. A
+                          map has one height for each point of its grid, in the order of the
+                          points, in which z varies fastest. The caller owns the arrays; a model
+                          stores a copy */
   double x, z;         /* unused, always 0; the positions are in x_series and z_series */
   arc_series x_series,
       z_series; /* positions [mm] of the points of a map, over the index of the point */

@@ -128,8 +128,8 @@ typedef struct arc_loading {
            "on one body as k_cylinder or k_plate. k can also be a function of the state (help "    \
            "\"state\"), or a table that is interpolated linearly over the distance; two values "   \
            "at the same distance define a jump, and an update ends there. Both are integrated "    \
-           "over each update. A function is evaluated at least 1.6 times a cycle, or at least "    \
-           "3200 times in a run of more than 2000 cycles: peaks shorter than a cycle, or than a "  \
+           "over each update. A function is evaluated 1.6 times per cycle or more, or 3200 "       \
+           "times or more in a run of over 2000 cycles: peaks shorter than a cycle, or than a "    \
            "3000th of a long run, may be missed.")                                                 \
   QUANTITY(alpha, "", 0.5, WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                                \
            "Wear partition factor k_c / k (Eq. 19 of the paper): the upper body's (cylinder's) "   \

@@ -122,7 +122,7 @@ local function to_curves(where, given, panel)
     if type(item) == "table" and item.value and type(item.value) ~= "number" then
       check.fields(where, item, curve_fields, ("field %d: "):format(number))
       if not (item.x and item.y) then
-        check.fail(where, "a field of values needs x and y with four corners for each polygon")
+        check.fail(where, "a field of values needs lists x and y with the four corners of each polygon")
       end
       panel.field = { x = item.x, y = item.y, value = item.value }
     else

@@ -42,7 +42,7 @@ local function c_token(source, at)
   if stop then return "other", "", stop end
   if source:sub(at, at) == '"' then return "literal", quoted(source, at) end
 end
-languages.c = { token = c_token, first = "[/'\"#]", joint = "^%s*$" }
+languages.c = { token = c_token, first = "[/'\"#]", joint = "^[%s\\]*$" }
 languages.h = languages.c
 
 local function lua_token(source, at)

@@ -45,7 +45,7 @@ local function passes(history, name, past, before)
 end
 
 function class.__tostring(self)
-  return ("probability that %s is %s %g %s%s: %.4g\n  confidence interval: %.4g to %.4g at %g %% confidence\n"
+  return ("probability that %s is %s %g %s%s: %.4g\n  %.4g to %.4g at %g %% confidence\n"
     .. "  %d of %d samples are beyond the limit%s\n  probability from the first half of the samples: %.4g"):format(
     self.of, self.above and "above" or "below", self.above or self.below, outcomes.unit(self.of),
     self.before and (" before %g mm"):format(self.before) or "", self.probability, self.low, self.high,

@@ -191,8 +191,8 @@ arc_plot_box arc_plot_extent(const arc_plot_panel *panel);
  * axes to 1, 2 or 5 times a power of ten. */
 void arc_plot_clear(const arc_canvas *canvas, arc_plot_panel *panel);
 
-/* Sets the same y range in all panels with the same y label. Ends that the user set are not
- * changed. */
+/* Sets the same y range in all panels with the same y label. Limits that the user set are
+ * not changed. */
 void arc_plot_share(arc_plot_panel *panels, size_t count);
 
 /* Computes the range of the field's values inside the box. Ends that the user set in the panel's

@@ -28,8 +28,8 @@ struct arc_store {
  * and the formatted text. */
 arc_status arc_store_damaged(const arc_store *store, arc_error *error, int id, const char *format,
                              ...) __attribute__((format(printf, 4, 5)));
-/* Reports an error that the engine found in the data of a case as damage of the file. An error
- * that can also occur with an intact file keeps its status. */
+/* If the engine finds an error in the data of a stored case, reports that the file is damaged. An
+ * error that can also occur with an intact file keeps its status. */
 arc_status arc_store_refused(const arc_store *store, arc_error *error, int id,
                              const arc_error *why);
 

@@ -174,7 +174,9 @@ arc_status arc_atomic_file_create_scratch(const char *folder, arc_atomic_file **
                                           arc_error *error) {
   *result = NULL;
   arc_atomic_file *file = new_file(folder);
-  if (!file) return arc_fail(error, ARC_MEMORY, "out of memory for a file in '%.200s'", folder);
+  if (!file)
+    return arc_fail(error, ARC_MEMORY, "out of memory while creating a file in the folder '%.200s'",
+                    folder);
   char whole[PATH_MAX + 1];
   int why = realpath(folder, whole) ? set_folder(file, strcat(whole, "/")) : errno;
   if (!why) why = create(file, S_IRUSR | S_IWUSR);

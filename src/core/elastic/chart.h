@@ -23,8 +23,9 @@ typedef struct revolution {
                   at x and -x */
 } revolution;
 
-/* Returns the length that a point of the section represents [mm]: the circumference, or half of
- * it if the section contains each ring twice; 1 in the plane. */
+/* Returns the length out of the section that belongs to a point [mm]. In bodies of revolution this
+ * is the circumference, or half of it if the section shows both sides of the axis, so that each
+ * ring has two points. In the plane it is 1. */
 static inline double arc_revolution_weight(const revolution *r, double x) {
   static const double pi = 3.14159265358979323846;
   if (!r->on) return 1;

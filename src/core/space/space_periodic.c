@@ -78,7 +78,9 @@ arc_status arc_space_check_periodic_run(const arc_wear_def *d, const arc_model_d
   const arc_body_def lower = arc_model_solid(model, ARC_LOWER);
   if (d->track > 0) return refuse(error, "track", "none: periodic surfaces have no track");
   if (!arc_body_is_flat(&lower))
-    return refuse(error, "lower", "a body.block{}: exchange the bodies, so that the map is above");
+    return refuse(
+        error, "lower",
+        "a body.block{}: exchange the bodies, so that the body with the map is the upper one");
   if (d->procedure == ARC_SP || d->blocks > 0)
     return refuse(error, d->blocks > 0 ? "loading" : "procedure",
                   "stroke without loading and procedure \"NSP\"");

@@ -76,8 +76,8 @@ static int powers_of(const shell *m, int l, power *p) {
   return decaying ? 4 : 2;
 }
 
-/* Computes value [4] of a solution at radius r: the displacements U and V, and the radial and the
- * tangential stress divided by `scale`. */
+/* Computes the four entries of `value` for a solution at radius r: the displacements U and V, then
+ * the radial and the tangential stress, both divided by `scale`. */
 static void evaluate(const shell *m, int l, const power *p, double r, double scale, double *value) {
   const double L = (double)l * (l + 1), f = pow(r / p->unit, p->s), g = f / r / scale;
   value[0] = p->a * f;

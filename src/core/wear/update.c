@@ -16,10 +16,10 @@ static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out
   return w->kind->wear(w, out->shape, depth, &out->record, error);
 }
 
-/* Returns the integral of the load over the sliding distance of a window [N mm], by the integration
- * rule of the wear. The load balances the pressures on each body. Under rigid slip the result is
- * therefore the integral of pressure times sliding distance over the area of either body (Eq. 15 of
- * the reference paper). */
+/* Returns the integral of the load over the sliding distance of a window [N mm], computed by the
+ * same integration rule as the wear. The load equals the integral of the pressure over the area of
+ * each body. Under rigid slip the result is therefore the integral of (pressure times sliding
+ * distance) over this area, the same for both bodies (Eq. 15 of the reference paper). */
 static double load_distance(const arc_wear *w, const wear_block *b, int first, int last) {
   double sum = 0;
   for (int at = first + 1; at <= last; at++) {
