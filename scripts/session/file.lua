@@ -422,7 +422,7 @@ function session.open(path, functions)
   last = path
   local text = { ("opened %s: %s"):format(path, summary(cases)) }
   for i, line in ipairs(missing) do text[i + 1] = "  left out: " .. line end
-  return table.concat(text, "\n")
+  return check.plain(table.concat(text, "\n"))
 end
 
 -- --- leaving -------------------------------------------------------------------------------------

@@ -310,6 +310,7 @@ function submit.run(self, options)
   local whole = absolute(self.file)
   local folder = whole .. ".shares"
   if options.engine ~= "local" then check_engine(options) end
+  if process.is_link(folder) then check.fail(where, folder .. ": expected a folder of this study, got a symbolic link; remove it") end
   definitions.for_run(where, self, whole):close() -- the run file now exists and belongs to this study
   if not earlier(self, folder, whole, options) then return self end
   if options.engine == "local" then

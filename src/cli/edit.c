@@ -2,11 +2,13 @@
  * so that signals can be handled between keys without a jump out of readline. history_file.c
  * reads and writes the history file. */
 #include "cli/edit.h"
+#include "archard/base.h"
 
 #include "cli/history_file.h"
 #include "lua/system/term_query.h"
 #include "lua/base/interrupt.h"
 
+#include <limits.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -62,9 +64,9 @@ static char *next_file(const char *text, int state) {
   for (;;) {
     char *file = rl_filename_completion_function(text, state);
     if (file == NULL) return NULL;
-    int plain = strpbrk(file, "\"'\\]") == NULL;
-    for (const char *c = file; *c; c++) plain = plain && (unsigned char)*c >= ' ' && *c != 127;
-    if (plain) return file;
+    char shown[PATH_MAX];
+    arc_show_text(file, shown, sizeof shown);
+    if (strcmp(shown, file) == 0 && strpbrk(file, "\"'\\]\n\t") == NULL) return file;
     free(file);
     state = 1;
   }

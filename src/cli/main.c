@@ -178,6 +178,16 @@ static run_status run_command(lua_State *L, const command *self) {
 
 /* Prints warnings of Lua's warn() and of this program on standard error. Messages that begin
  * with "@" are control messages of Lua and are not printed. */
+/* Prints a text without control characters, which names in files may contain. */
+static void print_plain(const char *text) {
+  const size_t capacity = 4 * strlen(text) + 1;
+  char *shown = malloc(capacity);
+  if (!shown) return;
+  arc_show_text(text, shown, capacity);
+  fputs(shown, stderr);
+  free(shown);
+}
+
 static void print_warning(void *ignored, const char *message, int to_be_continued) {
   static int continued = 0, silent = 0;
   (void)ignored;
@@ -186,9 +196,11 @@ static void print_warning(void *ignored, const char *message, int to_be_continue
     if (strcmp(message, "@on") == 0) silent = 0;
     return;
   }
-  if (!silent)
-    fprintf(stderr, "%s%s%s", continued ? "" : "archard: warning: ", message,
-            to_be_continued ? "" : "\n");
+  if (!silent) {
+    if (!continued) fputs("archard: warning: ", stderr);
+    print_plain(message);
+    if (!to_be_continued) fputs("\n", stderr);
+  }
   continued = to_be_continued;
 }
 

@@ -28,7 +28,7 @@ arc_status arc_process_start(arc_process *process, char *const argv[], arc_error
   if (!failed) failed = opened = arc_child_channel(errors, 0);
   if (!failed && fcntl(errors[0], F_SETFL, O_NONBLOCK) != 0) failed = opened = errno;
   if (!failed) {
-    arc_child_def def = {argv[0], argv, NULL, {talk[1], talk[1], errors[1]}, 0.25};
+    arc_child_def def = {argv[0], argv, NULL, {talk[1], talk[1], errors[1]}, 0.25, 0};
     failed = arc_child_start(&def, &pid);
   }
   arc_child_close(&talk[1]);

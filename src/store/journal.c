@@ -1,6 +1,8 @@
-/* Checks the journal beside a run file. A journal that ends with a file name and SQLite's magic
- * number belongs to a change of several files. SQLite would apply this journal and then delete
- * the named file. Archard changes only one file at a time and never writes such a journal. */
+/* Checks the journal beside a run file, which SQLite would apply to the file. A journal that ends
+ * with a file name and SQLite's magic number belongs to a change of several files; SQLite would
+ * then delete the named file. Archard changes only one file at a time and never writes such a
+ * journal. A journal that would enlarge the file by more than the journal contains is not its own
+ * either, nor is one of a user who may not write the file. */
 #include "store/journal.h"
 
 #include <errno.h>
@@ -23,14 +25,41 @@ static int names_a_file(int journal, off_t size) {
   return memcmp(tail + LENGTH + SUM, magic, MAGIC) == 0 && memcmp(tail, "\0\0\0", LENGTH) != 0;
 }
 
+/* Positions [bytes] in the first record of a journal: magic number, number of pages of the file
+ * before the change, size of a page. */
+enum { PAGES = 16, PAGE = 24, HEADER = 28 };
+
+static long long number_at(const unsigned char *at) {
+  return (long long)at[0] << 24 | at[1] << 16 | at[2] << 8 | at[3];
+}
+
+/* Returns true if a journal can be one of the file: its owner may write the file, and the journal
+ * is large enough to contain all pages by which the file was longer before the change. A journal
+ * without a complete header changes nothing. */
+static int fits(int journal, const struct stat *its, const char *name) {
+  unsigned char header[HEADER];
+  char path[PATH_MAX];
+  struct stat file;
+  const size_t length = strlen(name) - strlen("-journal");
+  if (strlen(name) <= strlen("-journal") || length >= sizeof path) return 0;
+  memcpy(path, name, length);
+  path[length] = '\0';
+  if (stat(path, &file) != 0) return 1;
+  if (its->st_uid != file.st_uid && its->st_uid != 0 && !(file.st_mode & (S_IWGRP | S_IWOTH)))
+    return 0;
+  if (pread(journal, header, HEADER, 0) != HEADER) return 1;
+  return number_at(header + PAGES) * number_at(header + PAGE) <=
+         (long long)file.st_size + (long long)its->st_size;
+}
+
 /* Returns true if the journal is safe. A journal that cannot be opened is safe, because SQLite
  * cannot open it either. A link is not safe. */
 int arc_journal_is_sound(const char *journal) {
   const int file = open(journal, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   struct stat facts;
   if (file < 0) return errno != ELOOP;
-  const int sound =
-      fstat(file, &facts) == 0 && S_ISREG(facts.st_mode) && !names_a_file(file, facts.st_size);
+  const int sound = fstat(file, &facts) == 0 && S_ISREG(facts.st_mode) &&
+                    !names_a_file(file, facts.st_size) && fits(file, &facts, journal);
   close(file);
   return sound;
 }

@@ -60,14 +60,15 @@ enum { HAS_SHADOW = 1 };
 enum { HAS_SHADOW = 0 };
 #endif
 
-/* Limits the data of the child. Its mappings are not limited, because they contain libraries,
- * whose size depends on the program. Returns 0 or an errno. */
-static int use_own_memory(rlim_t bytes) {
+/* Limits the data of the child to `bytes` (0: no limit) and the data at its start, `own`. Its
+ * mappings are not limited, because they contain libraries, whose size depends on the program.
+ * Returns 0 or an errno. */
+static int use_own_memory(rlim_t bytes, rlim_t own) {
   struct rlimit all, data;
   if (bytes == 0 || HAS_SHADOW) return 0;
   if (getrlimit(RLIMIT_AS, &all) != 0 || getrlimit(RLIMIT_DATA, &data) != 0) return errno;
   all.rlim_cur = all.rlim_max;
-  bytes += ARC_CHILD_OWN_MEMORY + arc_memory_limit_base();
+  bytes += own;
   if (data.rlim_max == RLIM_INFINITY || data.rlim_max > bytes) data.rlim_max = bytes;
   data.rlim_cur = data.rlim_max;
   return setrlimit(RLIMIT_AS, &all) == 0 && setrlimit(RLIMIT_DATA, &data) == 0 ? 0 : errno;
@@ -81,7 +82,8 @@ static int become(const arc_child_def *def, pid_t parent, rlim_t memory) {
   if (getppid() != parent) return ESRCH; /* the parent has already ended */
   int failed = use_own_ends(def->ends);
   if (!failed) failed = use_own_signals();
-  if (!failed) failed = use_own_memory(memory);
+  const rlim_t own = ARC_CHILD_OWN_MEMORY + (def->again ? arc_memory_limit_base() : 0);
+  if (!failed) failed = use_own_memory(memory, own);
   if (failed) return failed;
   /* the leak check of sanitizers must be able to start a process */
   if (confined && !HAS_SHADOW) arc_jail_alone();

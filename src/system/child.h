@@ -11,10 +11,12 @@ typedef struct arc_child_def {
   char *const *environment; /* terminated by NULL; NULL: environment of this process */
   int ends[3];              /* descriptors of the child's standard input, output and error */
   double part;              /* fraction of the remaining memory for the child (memory_limit.h) */
+  int again;                /* true if the program is this program, with the same libraries */
 } arc_child_def;
 
 /* Memory [bytes] that a program needs at its start, in addition to its fraction of the remaining
- * memory. gnuplot and workers have 23 MiB of data at their start. */
+ * memory. gnuplot and workers have 23 MiB of data at their start. Workers also need as much data as
+ * the libraries of this program reserve: OpenBLAS never returns if it gets no memory. */
 enum { ARC_CHILD_OWN_MEMORY = 32 << 20 };
 
 /* Starts a program in its own process group, so that Ctrl-C at the terminal does not reach it.

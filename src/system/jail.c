@@ -112,6 +112,7 @@ static void allow_system(rules *r) {
       "/var/cache/fontconfig",
       "/sys/devices/system",
       "/sys/fs/cgroup",
+      "/dev/zero",
       "/proc/self",
       "/proc/meminfo",
       "/proc/cpuinfo",
@@ -121,7 +122,7 @@ static void allow_system(rules *r) {
       "/proc",
 #endif
   };
-  static const char *const devices[] = {"/dev/null", "/dev/zero", "/dev/urandom"};
+  static const char *const devices[] = {"/dev/null", "/dev/urandom"};
   for (size_t i = 0; i < sizeof looked_at / sizeof *looked_at; i++) allow(r, looked_at[i], LOOK);
   for (size_t i = 0; i < sizeof devices / sizeof *devices; i++)
     allow(r, devices[i], READ_FILE | WRITE_FILE);
@@ -394,6 +395,7 @@ int arc_jail_alone(void) {
   refuse(&f, rights, 1, EPERM);
   /* limits of memory do not count shared memory without a file */
   refuse_where(&f, SYS_mmap, 3, MAP_SHARED | MAP_ANONYMOUS, MAP_SHARED | MAP_ANONYMOUS, 1);
+  refuse_where(&f, SYS_mmap, 3, MAP_GROWSDOWN, MAP_GROWSDOWN, 1);
 #ifdef SYS_fork
   static const unsigned processes[] = {SYS_fork, SYS_vfork};
   refuse(&f, processes, 2, EPERM);

@@ -35,7 +35,7 @@ end
 local names = { secret, "../out/secret", "./../out/secret", "link/secret", "linked", "a/../../out/secret",
   "/proc/self/cwd/../out/secret", "/proc/self/root" .. secret, "/dev/fd/../../" .. secret, "file:" .. secret,
   "file://" .. secret, "file:" .. secret .. "?mode=ro", "file:x?vfs=unix", "~/secret", "|cat " .. secret,
-  "`cat " .. secret .. "`", "$(cat " .. secret .. ")", "x\0/../" .. secret, "hard", "//" .. secret, "chain/secret" }
+  "`cat " .. secret .. "`", "$(cat " .. secret .. ")", "x\0/../" .. secret, "chain/../chain/secret", "//" .. secret, "chain/secret" }
 
 local function all(value)
   local list = {}

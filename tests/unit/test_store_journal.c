@@ -146,6 +146,24 @@ static void test_names_a_file(void **state) {
   assert_there("other-journal");
 }
 
+/* Tests that a journal which would enlarge the file to 8 TB is refused, and one of a user who may
+ * not write the file (which only root can test). */
+static void test_of_another(void **state) {
+  (void)state;
+  lay_file("victim");
+  copy_good("large");
+  fclose(begin_journal("large", 0, 2000000000));
+  assert_none_of_ours("large");
+  if (geteuid() != 0) return;
+  arc_error error = {0};
+  cut_in_mid_change("foreign");
+  assert_int_equal(chown(in_folder("foreign-journal"), 12345, 12345), 0);
+  assert_int_equal(chmod(in_folder("foreign"), 0644), 0);
+  assert_none_of_ours("foreign");
+  assert_int_equal(chmod(in_folder("foreign"), 0664), 0);
+  must(read_all("foreign", &error), &error);
+}
+
 /* Tests that merging a shard that has a foreign journal is refused, too. */
 static void test_share(void **state) {
   (void)state;
@@ -213,9 +231,10 @@ int main(void) {
   arc_single_threaded();
   alarm(60); /* a program that opens the pipe would wait forever */
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_put_right), cmocka_unit_test(test_names_a_file),
-      cmocka_unit_test(test_share),     cmocka_unit_test(test_links_and_pipes),
-      cmocka_unit_test(test_logs),      cmocka_unit_test(test_left_alone),
+      cmocka_unit_test(test_put_right),       cmocka_unit_test(test_names_a_file),
+      cmocka_unit_test(test_of_another),      cmocka_unit_test(test_share),
+      cmocka_unit_test(test_links_and_pipes), cmocka_unit_test(test_logs),
+      cmocka_unit_test(test_left_alone),
   };
   return cmocka_run_group_tests(tests, make_good, remove_folder);
 }

@@ -55,11 +55,9 @@ static int connect_and_start(const pool *p, int ends[3][2], pid_t *process) {
   if (failed) return failed;
   int idle = 0; /* workers that do not run share the memory equally with this process */
   for (int i = 0; i < p->count; i++) idle += p->workers[i].process == 0;
-  arc_child_def def = {"/proc/self/exe",
-                       p->arguments,
-                       p->environment,
-                       {ends[0][0], ends[1][1], ends[2][1]},
-                       1.0 / (idle + 1)};
+  arc_child_def def = {"/proc/self/exe", p->arguments,
+                       p->environment,   {ends[0][0], ends[1][1], ends[2][1]},
+                       1.0 / (idle + 1), 1};
   return arc_child_start(&def, process);
 }
 
@@ -446,12 +444,20 @@ static int process_files(lua_State *L) {
   return failed ? lua_error(L) : 1;
 }
 
+/* process.is_link(path) returns true if the path is a symbolic link. */
+static int process_is_link(lua_State *L) {
+  struct stat facts;
+  lua_pushboolean(L, lstat(luaL_checkstring(L, 1), &facts) == 0 && S_ISLNK(facts.st_mode));
+  return 1;
+}
+
 int luaopen_archard_process(lua_State *L) {
   static const luaL_Reg functions[] = {{"pool", process_pool},
                                        {"processors", process_processors},
                                        {"make_folder", process_make_folder},
                                        {"program", process_program},
                                        {"files", process_files},
+                                       {"is_link", process_is_link},
                                        {"pause", process_pause},
                                        {"report", process_report},
                                        {NULL, NULL}};
