@@ -1,6 +1,6 @@
-/* archard/array.h - named arrays of values at the sites (nodes or cells) of a surface, such as
- * profiles, maps and states, in runs and run files. The names depend on the kind of model
- * (arc_model_kind_name). Code that stores or compares arrays does not depend on the names. */
+/* archard/array.h - named arrays of values at the sites (nodes or cells) of a surface. Runs and
+ * run files store profiles, maps and states as such arrays. Their names depend on the kind of
+ * model (arc_model_kind_name). Code that stores or compares arrays does not depend on the names. */
 #ifndef ARCHARD_ARRAY_H
 #define ARCHARD_ARRAY_H
 

@@ -53,12 +53,12 @@ const char *arc_status_name(arc_status status);
 /* Purpose for which a file is opened. */
 typedef enum arc_file_use { ARC_FILE_READ, ARC_FILE_WRITE } arc_file_use;
 
-/* Resolves the symbolic links in a file name and writes the absolute path to path [PATH_MAX]. The
- * file, or at least its folder, must exist. The name of an open descriptor of this process, such as
- * "/dev/stdout", is resolved to "/proc/PID/fd/N" and no further. All functions that open, create or
- * replace files call this function first. ARC_ARGUMENT: the name is empty, or the name of a file to
- * write has a control character. ARC_IO: the folder does not exist, or the file is not allowed
- * (arc_file_allowed). */
+/* Resolves the symbolic links in a file name and writes the absolute path to `path` (PATH_MAX
+ * bytes). The file, or at least its folder, must exist. The name of an open descriptor of this
+ * process, such as "/dev/stdout", is resolved to "/proc/PID/fd/N" and no further. All functions
+ * that open, create or replace files call this function first. ARC_ARGUMENT: the name is empty, or
+ * it has a control character and the file is to be written. ARC_IO: the folder does not exist, or
+ * the file is not allowed (arc_file_allowed). */
 arc_status arc_file_find(const char *name, arc_file_use use, char *path, arc_error *error);
 
 /* Decides whether a file may be used. arc_file_find calls this function. `name` is used in
@@ -70,12 +70,12 @@ arc_status arc_file_allowed(const char *name, const char *path, arc_file_use use
 /* Opens a file for reading. ARC_IO: the file does not exist, or is a folder, pipe or device. Other
  * errors: those of arc_file_find. */
 arc_status arc_file_open(const char *path, FILE **stream, arc_error *error);
-/* Reads a whole file and appends a zero byte. The caller frees *text [*length] with free(). Errors:
- * ARC_IO, ARC_MEMORY, ARC_FORMAT (the file is larger than 1 GiB). */
+/* Reads a whole file of *length bytes into *text and appends a zero byte. The caller frees *text
+ * with free(). Errors: ARC_IO, ARC_MEMORY, ARC_FORMAT (the file is larger than 1 GiB). */
 arc_status arc_file_read(const char *path, char **text, size_t *length, arc_error *error);
 
-/* Copies text to shown [size] for display and truncates it to fit. Control characters and invalid
- * UTF-8 become \xNN; line ends and tabs are kept. */
+/* Copies `text` to the buffer `shown` of `size` bytes for display, truncated to fit. Control
+ * characters and invalid UTF-8 become \xNN; line ends and tabs are kept. */
 void arc_show_text(const char *text, char *shown, size_t size);
 
 /* Writes a printf-style message, filtered by arc_show_text, to `error` (may be NULL). Returns

@@ -86,9 +86,10 @@ extern const arc_setting
   CHOICE(kind, solid, ARC_SOLID_USUAL, 0,                                                          \
          "Shape of the body. \"usual\": a cylinder as upper and a block as lower body; \"gmsh\": " \
          "the shape in the Gmsh file of the model.")                                               \
-  NUMBER(radius, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
-         "Radius of a cylinder or disc, or of the rounded edges of a punch; default: the "         \
-         "model's. For a map: radius of a ball to which the heights are added; default: none.")    \
+  NUMBER(                                                                                          \
+      radius, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                     \
+      "Radius of a cylinder or disc, or of the rounded edges of a punch; default: the radius of "  \
+      "the model. For a map: radius of a ball to which the heights are added; default: none.")     \
   NUMBER(radius_z, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                \
          "Radius of a ball across the motion (along z), for a crowned roller or an ellipsoid. "    \
          "Default: radius.")                                                                       \
@@ -96,7 +97,7 @@ extern const arc_setting
          "Width of a block or profile. Default: twice the model's radius.")                        \
   NUMBER(height, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
          "Height of a block, profile or punch. Default: the model's radius; for a punch at least " \
-         "twice its own radius.")                                                                  \
+         "twice the radius of its edges.")                                                         \
   NUMBER(flat, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                    \
          "Full width of the flat face of a punch between its rounded edges; each edge is one "     \
          "radius wide.")                                                                           \
@@ -105,9 +106,9 @@ extern const arc_setting
   CHOICE(fixed, rim, ARC_RIM_OUTER, 0, "Fixed rim of a ring. The other rim is in contact.")        \
   CHOICE(hold, hold, ARC_HOLD_FIXED, 0,                                                            \
          "Support of a cylinder, which matters if the contact is nearly as wide as the cylinder. " \
-         "\"fixed\": the flat side of a half cylinder is rigid; \"free\": this side slides along " \
-         "itself without friction and is fixed sideways only in its middle 15 %; \"hub\": a "      \
-         "whole disc around a rigid hub of 0.15 times its radius, as in body.disc.")
+         "\"fixed\": the flat side of a half cylinder is rigid; \"free\": this side is fixed "     \
+         "vertically, and sideways only in its middle 15 %; \"hub\": a whole disc around a rigid " \
+         "hub of 0.15 times its radius, as in body.disc.")
 
 typedef struct arc_body_def {
   ARC_BODY_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE, ARC_MEMBER_TEXT)
@@ -119,7 +120,7 @@ typedef struct arc_body_def {
                           stores a copy */
   double x, z;         /* unused, always 0; the positions are in x_series and z_series */
   arc_series x_series,
-      z_series; /* positions [mm] of the points of a map, over the index of the point */
+      z_series; /* position [mm] of each point of a map, in the order of the points */
   arc_layer layer[ARC_MOST_LAYERS]; /* layers from the surface inwards */
 } arc_body_def;
 
@@ -129,8 +130,8 @@ extern const arc_setting arc_body_settings[];
  * defaults, which depend on the radius of the model [mm] and on the role of the body. */
 arc_body_def arc_body_resolve(const arc_body_def *def, arc_body role, double radius);
 
-/* Checks a body from arc_body_resolve. ARC_ARGUMENT: the message has the field with the prefix
- * `path` ("upper." or "lower."), the expected and the actual value. */
+/* Checks a body that arc_body_resolve returned. ARC_ARGUMENT: the message has the field with the
+ * prefix `path` ("upper." or "lower."), the expected and the actual value. */
 arc_status arc_body_check(const arc_body_def *def, const char *path, arc_error *error);
 
 /* Returns the names of the settings that apply to a kind of body, as a list that ends with NULL. */
@@ -179,13 +180,14 @@ double arc_body_map_height(const arc_body_def *def, double x, double z);
 void arc_body_map_extent(const arc_body_def *def, double *half_x, double *half_z, double *step);
 void arc_body_map_curvature(const arc_body_def *def, double *along_x, double *along_z);
 
-/* Replaces the series of a body by copies in one block. The caller frees *block with free(); it is
- * NULL if the body has no series. On ARC_MEMORY the body has no series. */
+/* Replaces the series of a body (heights and positions) by copies in one block. The caller frees
+ * *block with free(); it is NULL if the body has no series. On ARC_MEMORY the body has no
+ * series. */
 arc_status arc_body_keep_series(arc_body_def *def, double **block);
 
 /* arc_body_layers returns the number of layers. arc_body_interface returns the depth [mm] of the
  * lower side of a layer with a thickness, and 0 for layer -1, the surface. arc_body_layer_material
- * returns the material of a layer, or `own` if the index is not that of a layer. */
+ * returns the material of a layer, or `own` if no layer has this index. */
 int arc_body_layers(const arc_body_def *def);
 double arc_body_interface(const arc_body_def *def, int layer);
 arc_material arc_body_layer_material(const arc_body_def *def, int layer, arc_material own);

@@ -1,18 +1,18 @@
 /* archard/contact.h - worn shapes, and contact solutions on them.
  *
- * Contact is hard: f >= 0, gap >= 0, f gap = 0 at each node, and the sum of f is exactly the load.
- * Here f is the component of a nodal force along the load. The surfaces are coupled by mortar
- * elements along x with a dual basis on the cylinder's side. The nodal forces are f on the cylinder
- * and B' f on the plate, with the coupling matrix B, so that they balance exactly, also along x.
- * Pressures act along the normals of the worn surface.
+ * Contact is hard: at each node f >= 0, gap >= 0 and f gap = 0, where f is the component of the
+ * nodal force along the load. The sum of f is exactly the load. The surfaces are coupled by mortar
+ * elements along x with a dual basis on the cylinder's side. The nodal forces are f on the
+ * cylinder and B' f on the plate, with the coupling matrix B, so that they balance exactly, also
+ * along x. Pressures act along the normals of the worn surface.
  *
- * With Coulomb friction the solution is computed in increments of load and motion, each of which
- * depends on the previous one: |q| <= mu p, no slip if |q| < mu p, else slip ds along q. Here q is
- * the shear traction on the cylinder along +x (on the plate along -x), mu the coefficient of
- * friction, p the pressure, and ds the slip of the plate's surface relative to the cylinder's
- * surface. Q is the force that drives the plate along x. q, ds and Q are positive for a plate that
- * moves to +x. In two dimensions the displacement under a force depends on the size of the bodies,
- * which have a rigid top and a rigid base. */
+ * With Coulomb friction the solution is computed in increments of load and motion, because it
+ * depends on their history. |q| <= mu p; a point does not slip if |q| < mu p, else the slip ds is
+ * along q. Here q is the shear traction on the cylinder along +x (on the plate along -x), mu the
+ * coefficient of friction, p the pressure, and ds the slip of the plate's surface relative to the
+ * cylinder's surface. Q is the force that drives the plate along x. q, ds and Q are positive for a
+ * plate that moves to +x. In two dimensions the displacement under a force depends on the size of
+ * the bodies, which have a rigid top and a rigid base. */
 #ifndef ARCHARD_CONTACT_H
 #define ARCHARD_CONTACT_H
 
@@ -33,9 +33,9 @@ extern "C" {
 typedef enum arc_geometry { ARC_GEOMETRY_LIST(ARC_CHOICE_ENUM) } arc_geometry;
 extern const char *const arc_geometry_names[];
 
-/* Corrections of the finite elements. All: terms are added that correct errors of the elements at
- * short wavelengths (theory.md, "Corrections"). None: the elements alone, to show the effect of
- * these terms. */
+/* Corrections of the finite elements. All: added terms correct errors of the elements at short
+ * wavelengths (theory.md, "Corrections"). None: the elements alone, to show the effect of these
+ * terms. */
 #define ARC_CORRECTIONS_LIST(X)                                                                    \
   X(CORRECTIONS_ALL, "all")                                                                        \
   X(CORRECTIONS_NONE, "none")
@@ -45,24 +45,24 @@ extern const char *const arc_corrections_names[];
 /* The worn surfaces of both bodies on one model. Opaque; retains its model. */
 typedef struct arc_shape arc_shape;
 
-/* Creates unworn surfaces. The stiffness of the wear box (the elements at the surface) is condensed
- * again when a surface node has moved too far since the last condensation. Across the surface the
- * limit is `refresh` [-] times the present height of the element, or a fifth of `refresh` times the
- * remaining layer. Along x it is a hundredth of `refresh` times the width of an element. For
- * different materials the change of slope is limited too. With refresh 0 the box is condensed after
- * every motion. Between two condensations the compliance of a body without layers is updated to
- * first order. */
+/* Creates unworn surfaces. The stiffness of the wear box (the elements at the surface) is
+ * condensed again when a surface node has moved too far since the last condensation. Across the
+ * surface the limit is `refresh` [-] times the present height of the element, or times a fifth of
+ * the layer's remaining thickness if that is less. Along x it is a hundredth of `refresh` times
+ * the width of an element. For different materials the change of slope is limited too. With
+ * refresh 0 the box is condensed after every motion. Between two condensations the compliance of a
+ * body without layers is updated to first order. */
 arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refresh,
                             arc_shape **shape, arc_error *error);
 arc_status arc_shape_clone(const arc_shape *shape, arc_shape **copy, arc_error *error);
 void arc_shape_destroy(arc_shape **shape);
 arc_model *arc_shape_model(const arc_shape *shape);
 
-/* Wears one body by depth [surface] [mm] at its candidate contact nodes. The nodes move along their
- * present normals (Eq. 8 of the reference paper). The sum of the depths is also stored for each
- * node. The nodes of the wear box follow the surface smoothly. Errors: ARC_GEOMETRY (an element of
- * the wear box would collapse; with frozen geometry a depth exceeds 1e6 mm), ARC_MEMORY,
- * ARC_NUMERIC. On failure the shape is unchanged. */
+/* Wears one body. `depth` [mm] has one value for each candidate contact node. The nodes move along
+ * their present normals (Eq. 8 of the reference paper). The sum of the depths is also stored for
+ * each node. The nodes of the wear box follow the surface smoothly. Errors: ARC_GEOMETRY (an
+ * element of the wear box would collapse or, with frozen geometry, a depth would exceed 1e6 mm),
+ * ARC_MEMORY, ARC_NUMERIC. On failure the shape is unchanged. */
 arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, arc_error *error);
 
 /* Wears one body everywhere by the same depth [mm], as a plate is worn by a stroke over its whole
@@ -77,9 +77,10 @@ arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, 
 arc_status arc_shape_remap(const arc_shape *from, arc_shape *to, arc_error *error);
 
 /* Interpolates a measured depth profile of at least two points to the unworn nodes of a body, by
- * the splines of arc_shape_remap. The result is depth [surface] [mm]; it is 0 beyond the ends of
- * the profile. If the points cover a whole scar (unworn at both ends, within the nodes), the area
- * of the polyline through them is kept. Points at nodes keep their depths. Errors: ARC_MEMORY. */
+ * the splines of arc_shape_remap. The result is `depth` [mm] at each candidate contact node, 0
+ * beyond the ends of the profile. If the points cover a whole scar (unworn at both ends, within
+ * the nodes), the area of the polyline through them is kept. Depths of points at nodes are not
+ * changed. Errors: ARC_MEMORY. */
 arc_status arc_shape_sample(const arc_shape *shape, arc_body body, arc_depths measured,
                             double *depth, arc_error *error);
 
@@ -103,7 +104,7 @@ arc_profile arc_shape_profile(const arc_shape *shape, arc_body body);
 double arc_shape_depth(const arc_shape *shape, arc_body body);
 double arc_shape_vector_depth(const arc_shape *shape, arc_body body);
 /* Writes the present positions of all nodes of a body, including the moved nodes of the wear box,
- * to xy [2 * nodes] [mm]. */
+ * to `xy` [mm] as pairs x, y. */
 void arc_shape_nodes(const arc_shape *shape, arc_body body, double *xy);
 
 /* Returns the state of the worn surfaces for storage. The arrays of each body are: h [nodes, 1],
@@ -122,7 +123,7 @@ arc_status arc_shape_restore(arc_model *model, arc_geometry geometry, double ref
                              const arc_array *state, size_t count, arc_shape **shape,
                              arc_error *error);
 
-/* Friction during the pressing of the bodies. Friction: friction acts while the bodies are pressed
+/* Pressing of the bodies before the motion. Friction: friction acts while the bodies are pressed
  * together. Frictionless: friction acts only afterwards. */
 #define ARC_PRESS_LIST(X)                                                                          \
   X(PRESS_FRICTION, "friction")                                                                    \
@@ -146,9 +147,9 @@ extern const char *const arc_press_names[];
          "\"friction\": friction acts while the bodies are pressed together; \"frictionless\": "   \
          "friction acts only afterwards.")                                                         \
   WHOLE(increments, "", 0, WITHIN(1, 100000), ARC_AUTOMATIC,                                       \
-        "Number of load increments of a contact with friction; the plate does not move. "          \
-        "\"auto\": four for each element that the edge of the contact crosses, at least 20; in "   \
-        "3-D they are chosen as in c:move.")                                                       \
+        "With friction: number of increments of the load, while the plate does not move. "         \
+        "\"auto\": four for each element that the edge of the contact crosses, but at least 20; "  \
+        "in 3-D the number is chosen as in c:move.")                                               \
   CHOICE(corrections, corrections, ARC_CORRECTIONS_ALL, 0,                                         \
          "\"none\": the finite elements alone, without the terms that correct their errors at "    \
          "short wavelengths (edges of contact, shear from node to node, slip between nodes); use " \
@@ -203,9 +204,9 @@ size_t arc_contact_bytes(const arc_contact *contact);
          "Final force that drives the lower body along z, in 3-D, instead of z.")                  \
   WHOLE(increments, "", 0, WITHIN(1, 100000), ARC_AUTOMATIC,                                       \
         "Number of equal increments. \"auto\": one in 2-D; set more if load and motion change "    \
-        "together or the materials differ. In 3-D the increments are halved until motion and "     \
-        "force change by less than 0.1 % of their values in full slip, and the energy by less "    \
-        "than 1 %.")
+        "together or the materials differ. In 3-D the increments are halved until this changes "   \
+        "motion and force by less than 0.1 % of their values in full slip, and the energy by "     \
+        "less than 1 %.")
 
 typedef struct arc_motion_def {
   ARC_MOTION_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE)
@@ -278,8 +279,8 @@ typedef struct arc_shear {
 } arc_shear;
 arc_shear arc_contact_shear(const arc_contact *contact, arc_body body);
 
-/* Returns the slip [mm] of the plate's surface relative to the cylinder's nodes since first
- * contact: *count values at the cylinder's nodes. Returns NULL without friction. */
+/* Returns the slip [mm] of the plate's surface since first contact, relative to each of the *count
+ * candidate contact nodes of the cylinder. Returns NULL without friction. */
 const double *arc_contact_slip(const arc_contact *contact, int *count);
 
 /* Writes the edges [mm] of one stick zone in the last increment, and returns 1; returns 0 if there
@@ -328,11 +329,11 @@ arc_status arc_contact_field(const arc_contact *contact, arc_body body, arc_fiel
                              arc_error *error);
 void arc_field_destroy(arc_field **field);
 /* Returns the pressures of the upper body, then of the lower body, as arrays: positions x and in
- * 3-D z [mm], and pressures p [MPa], each [sites, 1], in the frame of the upper body. Sites of maps
- * are stored with z fastest. With friction in 3-D, arrays of the upper body follow: q, qz and shear
- * [MPa], the shear along x, along z and its magnitude; s, sz and slip [mm], the slip of the lower
- * surface relative to the upper one along x, along z and its magnitude. All arrays are in one
- * block, which the caller frees with free(). Errors: ARC_MEMORY. */
+ * 3-D z [mm], and pressures p [MPa], each [sites, 1], in the frame of the upper body. In the
+ * arrays of maps, z varies fastest. With friction in 3-D, arrays of the upper body follow: q, qz
+ * and shear [MPa], the shear along x, along z and its magnitude; s, sz and slip [mm], the slip of
+ * the lower surface relative to the upper one along x, along z and its magnitude. All arrays are
+ * in one block, which the caller frees with free(). Errors: ARC_MEMORY. */
 arc_status arc_contact_surfaces(const arc_contact *contact, arc_array **surfaces, size_t *count,
                                 arc_error *error);
 /* Returns the model of a contact. The caller must not release it. */

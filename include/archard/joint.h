@@ -77,13 +77,14 @@ typedef struct arc_gait_instant {
 } arc_gait_instant;
 
 /* Computes the n instants of a cycle. `rotation` [2n + 1][9] has the rotations at the times 0,
- * 1/2n, 2/2n, ... 1; `load` [n][3] has the loads [N] in the middle of each interval. ARC_ARGUMENT
- * if the gait is not periodic; the message has the difference in degrees. */
+ * 1/(2n), 2/(2n), ..., 1; `load` [n][3] has the loads [N] in the middle of each interval.
+ * ARC_ARGUMENT if the gait is not periodic; the message has the difference between start and end
+ * in degrees. */
 arc_status arc_gait_from_rotations(int n, const double *rotation, const double *load,
                                    arc_gait_instant *instant, arc_error *error);
-/* Computes instants from angles [2n + 1][3] instead of rotations: flexion, adduction, internal
- * rotation [degree], applied in an order given by three letters of x, y, z. "xyz" means R =
- * Rx(flexion) Ry(adduction) Rz(rotation). */
+/* Computes instants like arc_gait_from_rotations, from angles instead of rotations: `degrees` has
+ * 2n + 1 rows of flexion, adduction and internal rotation. `order` is their order as letters for
+ * the axes: "xyz" means R = Rx(flexion) Ry(adduction) Rz(rotation). */
 arc_status arc_gait_from_angles(int n, const double *degrees, const double *load, const char *order,
                                 arc_gait_instant *instant, arc_error *error);
 
@@ -123,9 +124,9 @@ const double *arc_joint_creep(const arc_joint *joint);
 /* Returns the pressures [MPa] of the last contact, in the frame of the cup; 0 before the first
  * contact. */
 const double *arc_joint_pressure(const arc_joint *joint);
-/* Writes the cross-shear ratio of each cell of the cup to share [rows][2 rows]. It is the fraction
- * (0 to 0.5) of the friction work in the last cycle that was done across the principal direction of
- * sliding; 0 without sliding. */
+/* Writes the cross-shear ratio of each cell of the cup to share [rows][2 rows]. The ratio is the
+ * fraction (0 to 0.5) of the friction work in the last cycle that was done across the principal
+ * direction of sliding; 0 without sliding. */
 void arc_joint_cross_shear(const arc_joint *joint, double *share);
 double arc_joint_cell_area(const arc_joint *joint, int site); /* area of a cell [mm2] */
 

@@ -10,14 +10,14 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Returns the value at x = `at` of the polyline through (x, y) [n] with increasing x, or `outside`
- * beyond its ends. */
+/* Returns the value at x = `at` of the polyline through `n` points (x, y) with increasing x, or
+ * `outside` beyond its ends. */
 double arc_measure_interpolate(const double *x, const double *y, size_t n, double at,
                                double outside);
 
-/* Returns the amplitude of the sawtooth (oscillation from point to point) in y [n], in the units of
- * y. It is the root mean square of the fourth differences of y divided by 16, over the points with
- * from <= x <= to; 0 if there are none. For a pure sawtooth of amplitude 1 it is 1. */
+/* Returns the amplitude of the sawtooth (oscillation from point to point) in `n` values y, in
+ * their unit. It is the root mean square of the fourth differences of y divided by 16, over the
+ * points with from <= x <= to; 0 if there are none. For a pure sawtooth of amplitude 1 it is 1. */
 double arc_measure_sawtooth(const double *x, const double *y, size_t n, double from, double to);
 
 /* Returns the depth partition factor alpha-tilde (Eq. 29 of the reference paper) [-]: the
@@ -32,13 +32,13 @@ typedef struct arc_depths {
 } arc_depths;
 
 /* Computes the sum of the depths of both bodies (Eq. 31 of the reference paper) at the points of
- * the plate, with the plate at x = 0. The result is sum [plate.count] [mm]. Beyond its last points
- * the cylinder is unworn. */
+ * the plate, with the plate at x = 0. The result `sum` [mm] has plate.count values. Beyond its
+ * last points the cylinder is unworn. */
 void arc_measure_combined(arc_depths cylinder, arc_depths plate, double *sum);
 
 /* Computes the cylinder's share of the sum of both depths (Eq. 30 of the reference paper) at those
- * points of the plate where the sum is > 0. Writes the positions of these points to x [plate.count]
- * and the shares to share [plate.count]. Returns the number of points. */
+ * points of the plate where the sum is > 0. Writes their positions to `x` and the shares to
+ * `share`, both of size plate.count. Returns the number of points. */
 size_t arc_measure_local_partition(arc_depths cylinder, arc_depths plate, double *x, double *share);
 
 #pragma GCC visibility pop

@@ -1,9 +1,9 @@
 /* archard/mesh.h - finite element meshes of the two bodies.
  *
- * Coordinates are those of both bodies when they just touch without load, with the plate at x = 0.
- * The origin is the first point of contact. x is along the plate's surface, and y points upwards.
- * The cylinder (a half cylinder with a fixed flat top) lies above the plate. Generated meshes of
- * symmetric bodies are exactly symmetric about x = 0. */
+ * Coordinates refer to bodies that just touch without load, with the plate at x = 0. The origin is
+ * the first point of contact. x is along the plate's surface, and y points upwards. The cylinder
+ * (a half cylinder with a fixed flat top) lies above the plate. Generated meshes of symmetric
+ * bodies are exactly symmetric about x = 0. */
 #ifndef ARCHARD_MESH_H
 #define ARCHARD_MESH_H
 
@@ -27,8 +27,9 @@ extern const char *const arc_element_names[];
 
 /* Geometry of a model, whose meshes are sections of the bodies in x and y. Axisymmetric: bodies of
  * revolution about the vertical axis at x = -axis, with forces on the whole circumference. If the
- * axis is at x = 0, both halves of the section describe the same rings, and each half counts half.
- * Springs: layers of springs without meshes, see core/springs. 3-D: see archard/space.h. */
+ * axis is at x = 0, the section shows both sides of each ring, and each side represents half the
+ * circumference. Springs: layers of springs without meshes, see core/springs. 3-D: see
+ * archard/space.h. */
 #define ARC_SPACE_LIST(X)                                                                          \
   X(PLANE_STRAIN, "plane strain")                                                                  \
   X(PLANE_STRESS, "plane stress")                                                                  \
@@ -43,14 +44,14 @@ extern const char *const arc_space_names[];
   NUMBER(                                                                                          \
       size, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                      \
       "Element size at the contact: model = { mesh = { size = 0.01 } } makes elements 10 um wide " \
-      "at the contact and larger ones outside. \"auto\": the half width of the unworn contact / "  \
-      "(5.4 fineness), which is 0.020 mm in the paper's case. The half width includes the effect " \
-      "of layers and is computed for the load of the contact or wear run that builds the model "   \
-      "(100 N for model{} alone). For balls the size is half as large. At rounded edges and "      \
-      "kinks, the width over which the pressure rises replaces the half width. For rough "         \
-      "profiles the size is at most an eighth of the wavelength, but waves that change the "       \
-      "pressure by less than a thousandth are ignored. In wear runs with partial slip it is at "   \
-      "most a fifth of the slip zone at either edge. A contact has at most 320 elements. A "       \
+      "at the contact and larger ones outside. \"auto\": the half width of the unworn contact "    \
+      "divided by 5.4 times the fineness, which is 0.020 mm in the paper's case. The half width "  \
+      "includes the effect of layers and is computed for the load of the contact or wear run "     \
+      "that builds the model (100 N for model{} alone). For balls the size is half as large. At "  \
+      "rounded edges and kinks, the width over which the pressure rises replaces the half width. " \
+      "For rough profiles the size is at most an eighth of the wavelength, but waves that change " \
+      "the pressure by less than a thousandth are ignored. In wear runs with partial slip it is "  \
+      "at most a fifth of the slip zone at either edge. A contact has at most 320 elements. A "    \
       "contact{} with friction in 3-D has 40 cells in the half width.")                            \
   NUMBER(fineness, "", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
          "Factor by which the automatic size is divided; 2 halves the elements. Default: 1. Do "   \
@@ -97,8 +98,8 @@ typedef struct arc_mesh {
   double *xy;       /* [2 * nodes] coordinates x, y of each node [mm] */
   int elements;     /* number of elements = quads + triangles */
   int *element; /* [4 * elements] corner nodes of each element; the fourth of a triangle is -1. The
-                   two triangles of a cell begin with the same corner and are two positions apart;
-                   between them are their mirror images */
+                   two triangles of a cell begin with the same corner; each is followed by its
+                   mirror image */
   int quads, triangles;
   int surface; /* number of candidate contact nodes; it is odd, and the middle node is at x = 0 */
   int *surface_node; /* [surface] numbers of the candidate contact nodes by increasing x */

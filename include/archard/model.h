@@ -20,14 +20,13 @@ extern "C" {
          "Radius R of the cylinder; the plate is 2 R wide and R high.")                            \
   NUMBER(thickness, "mm", 1, ABOVE(0), 0,                                                          \
          "Thickness of both bodies; forces act on the whole thickness.")                           \
-  CHOICE(                                                                                          \
-      geometry, space, ARC_PLANE_STRAIN, 0,                                                        \
-      "\"plane strain\": long bodies; \"plane stress\": thin plates; \"axisymmetric\": bodies of " \
-      "revolution about a vertical axis, where a cylinder is a ball, a block a disc, and "         \
-      "loads and volumes are those of the whole circumference; \"springs\": for teaching and "     \
-      "tests, a ball on a flat, each with a layer of springs (Winkler) whose depth is the "        \
-      "field thickness, for wear{} only; \"3-D\": half-spaces that touch in a small area and "     \
-      "slide along x, with wear depths as maps over x and z.")                                     \
+  CHOICE(geometry, space, ARC_PLANE_STRAIN, 0,                                                     \
+         "\"plane strain\": long bodies; \"plane stress\": thin plates; \"axisymmetric\": bodies " \
+         "of revolution about a vertical axis; a cylinder is then a ball and a block a disc, "     \
+         "with loads and volumes of the whole circumference; \"springs\": a ball on a flat, each " \
+         "with a layer of springs (Winkler) as deep as the field thickness, only for wear{}, for " \
+         "teaching and tests; \"3-D\": half-spaces that touch in a small area and slide along x, " \
+         "with wear depths as maps over x and z.")                                                 \
   NUMBER(axis, "mm", 0, FROM(0), 0,                                                                \
          "For geometry \"axisymmetric\": distance of x = 0 from the axis of revolution, which is " \
          "on the left. For a thrust ring it is the mean radius. 0: the bodies touch on the axis.") \
@@ -103,7 +102,7 @@ double arc_model_width(const arc_model_def *def);
 /* Returns the half width [mm] of the unworn contact under a load [N]. It is computed by Hertz'
  * formula, by Persson's formula for a pin in a hole, and by an integral over the gap for other
  * shapes, such as punches. For bodies of revolution it is the radius of a round contact, or half
- * the width of a ring. */
+ * the width of a contact on a ring. */
 double arc_model_half_width(const arc_model_def *def, double load);
 
 /* Closed-form Hertz contact of a cylinder on a half-space, or of a ball, with the load L, the
@@ -169,14 +168,14 @@ arc_status arc_model_check(const arc_model_def *def, arc_error *error);
 arc_status arc_model_build_with_callbacks(const arc_model_def *def, const arc_callbacks *callbacks,
                                           arc_model **model, arc_error *error);
 
-/* Builds a model like arc_model_build from two existing meshes, given[arc_body]
- * (arc_mesh_read_msh). The function becomes the owner of the meshes, also on failure, and sets the
+/* Builds a model like arc_model_build from the two existing meshes `given`, such as those of
+ * arc_mesh_read_msh. The function becomes the owner of the meshes, also on failure, and sets the
  * pointers to NULL. def->radius is the radius for Hertz' formulas and determines the width of the
  * plate. Of def->mesh only the member `element` is used. ARC_ARGUMENT: def->body has a shape other
- * than the radii of a hole. Meshes without a wear box allow only frozen geometry (else ARC_ARGUMENT
- * in arc_shape_create). With CPE4I, triangles of such meshes do not share a dilatation. A named
- * material of a mesh is the layer of the body with the same name. The depth of a layer follows from
- * the mesh. */
+ * than the radii of a hole. Meshes without a wear box allow only frozen geometry (else
+ * ARC_ARGUMENT in arc_shape_create). With CPE4I, triangles of such meshes do not share a
+ * dilatation. A named material of a mesh is the layer of the body with the same name. The depth of
+ * a layer follows from the mesh. */
 arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
                                  const arc_callbacks *callbacks, arc_model **model,
                                  arc_error *error);
@@ -212,18 +211,18 @@ void arc_model_fit(arc_model_def *def, double load);
  * unworn cylinder. They are wider if edges are sharp or if the user sets wide zones (at most 320
  * elements in all). */
 void arc_model_fit_friction(arc_model_def *def, double load);
-/* Sets "auto" zones to the needed widths [mm], rounded up to ten elements, within the limits of the
- * bodies. */
+/* Sets "auto" zones to the needed widths [mm], rounded up to multiples of ten elements, within the
+ * limits of the bodies. */
 void arc_model_fit_zones(arc_model_def *def, const double needed[ARC_BODIES]);
 
 /* Sets all "auto" values of a model that is built without a contact or run. Sizes are set for the
  * default load (100 N), and zones in proportion to the sizes. */
 void arc_model_fit_alone(arc_model_def *def);
 
-/* Computes the full widths [mm] of the candidate zones of both bodies. The zones cover contacts of
- * the half width half_width [mm], plus 30 %, about the axis of the cylinder, with the plate at |x|
- * <= reach [mm]. They are at least 50 (upper body) and 60 (lower body) elements of `size` [mm]
- * wide, like the zones of arc_mesh_default. */
+/* Computes the full widths [mm] of the candidate zones of both bodies. They cover a contact of the
+ * half width `half_width` [mm], plus 30 %, at all positions |x| <= `reach` [mm] of the plate. They
+ * are at least 50 (upper body) and 60 (lower body) elements of `size` [mm] wide, like the zones of
+ * arc_mesh_default. */
 void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]);
 
 #pragma GCC visibility pop

@@ -206,8 +206,8 @@ arc_status arc_setting_check_number(const arc_setting *setting, const char *pref
  * searched. */
 const arc_setting *arc_setting_find(const arc_setting *list, const char *name);
 
-/* Writes a description of the possible values of a setting, such as "a number > 0 mm" or "\"SP\" or
- * \"NSP\"", to text [size]. Returns `text`. */
+/* Writes a description of the possible values of a setting, such as "a number > 0 mm" or "\"SP\"
+ * or \"NSP\"", to `text` (`size` bytes). Returns `text`. */
 const char *arc_setting_expected(const arc_setting *setting, char *text, size_t size);
 
 /* Returns the default of a setting as text, such as "200e3", or "" if it has no default. */

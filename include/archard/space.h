@@ -21,8 +21,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Returns the recess of an unworn surface at (x, z) [mm], which is its depth [mm] below the
- * outermost point of the body. */
+/* Returns the recess [mm] of an unworn surface at (x, z) [mm]: its depth below the outermost point
+ * of the body. */
 typedef double (*arc_recess_fn)(void *context, double x, double z);
 
 typedef struct arc_halfspace_body {
@@ -220,10 +220,11 @@ typedef struct arc_halfspace_leg {
  * 1e-3 and the motion by less than 1e-4 of their values in full slip, and the work of an interval
  * by less than 1e-3 of the work of the leg or 3e-3 of its own value. For an error estimate, the
  * state `coarser` (NULL: none) is advanced along the same leg in half as many increments. The
- * difference of the energies of both states is about the error where the direction of slip changes,
- * because the error is then proportional to the length of the increments; elsewhere the error is
- * smaller. If the number of increments is fixed, `coarser` does not change. Errors: those of
- * arc_halfspace_slide. On failure the states are unchanged. The effort is added to *effort. */
+ * difference of the energies of both states estimates the error. Where the direction of slip
+ * changes, the error is proportional to the length of the increments and about equal to this
+ * difference; elsewhere it is smaller. If the number of increments is fixed, `coarser` does not
+ * change. Errors: those of arc_halfspace_slide. On failure the states are unchanged. The effort is
+ * added to *effort. */
 arc_status arc_halfspace_follow(arc_halfspace *h, const double *const depth[ARC_BODIES],
                                 const arc_halfspace_leg *leg, const arc_halfspace_options *options,
                                 arc_halfspace_friction *state, arc_halfspace_friction *coarser,
@@ -238,8 +239,8 @@ typedef struct arc_halfspace_extent {
   double center; /* pressure [MPa] or depth [mm] at x = z = 0, interpolated between cells */
 } arc_halfspace_extent;
 
-/* Computes the extent of a contact, the area with pressure > 0. At its edge the square of the
- * pressure, extrapolated linearly, is zero. */
+/* Computes the extent of a contact, the area with pressure > 0. Its edge is where the square of
+ * the pressure, extrapolated linearly, becomes zero. */
 arc_halfspace_extent arc_halfspace_contact_extent(const arc_halfspace *h, const double *pressure);
 /* Computes the extent of a scar, the area that is deeper than `share` times the largest depth.
  * Depths are interpolated linearly between sites. */
@@ -258,9 +259,8 @@ arc_status arc_halfspace_rate(arc_halfspace *h, const double *const depth[ARC_BO
                               double *const rate[ARC_BODIES], arc_halfspace_report *report,
                               arc_error *error);
 
-/* Computes sum [sites], the sum over positions of weight times value [count][window] for each site
- * of a body. The values are, for example, rates of a power law, or energies. On failure sum is
- * unchanged. */
+/* Computes for each site of a body the sum over positions of weight times value [count][window].
+ * The values are, for example, rates of a power law, or energies. On failure sum is unchanged. */
 arc_status arc_halfspace_sum(arc_halfspace *h, const arc_halfspace_position *position, int count,
                              const double *value, arc_body body, double *sum, arc_error *error);
 
@@ -280,9 +280,9 @@ arc_status arc_halfspace_stage(arc_halfspace *h, const double *const known[ARC_B
                                double *const depth[ARC_BODIES], arc_halfspace_report *report,
                                arc_error *error);
 
-/* Computes the largest eigenvalue of - d (c factor rate) / d depth (arc_halfspace_wear) to a few
- * per cent, on the active sets of the pressures [count][window]. An explicit step with these
- * coefficients is stable if the eigenvalue is less than 2. */
+/* Computes the largest eigenvalue of - d (c factor rate) / d depth (arc_halfspace_wear), accurate
+ * to a few per cent, for the active sets of the given pressures [count][window]. An explicit step
+ * with these coefficients is stable if the eigenvalue is less than 2. */
 arc_status arc_halfspace_eigenvalue(arc_halfspace *h, const arc_halfspace_wear *wear,
                                     const arc_halfspace_position *position, int count,
                                     const double *pressure, double *eigenvalue, arc_error *error);

@@ -119,7 +119,7 @@ typedef struct arc_case {
 /* Adds a waiting case. ARC_ARGUMENT: a case with this id exists. */
 arc_status arc_store_add(arc_store *store, int id, const char *label, arc_error *error);
 
-/* Returns all cases in the order of their ids. The caller frees *cases [*count] with free(). */
+/* Returns all *count cases in the order of their ids. The caller frees *cases with free(). */
 arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, arc_error *error);
 
 /* Sets the status of a case, with `message` (NULL: none) and `seconds` as in arc_case. A case whose
@@ -179,13 +179,13 @@ arc_status arc_stored_run_model(arc_stored_run *run, const arc_callbacks *callba
 arc_status arc_store_restore(arc_store *store, int id, arc_model *model, const arc_wear_def *def,
                              arc_wear **wear, arc_error *error);
 
-/* Reads the stored history. The caller frees *history [*count] with free(). *count is 0 if no
- * history is stored. */
+/* Reads the *count records of the stored history. The caller frees *history with free(). *count is
+ * 0 if no history is stored. */
 arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history, size_t *count,
                              arc_error *error);
 
-/* Reads the arrays of the stored surfaces, sorted by update, body (cylinder first) and name.
- * *surfaces [*count] is one block, which the caller releases with free(). */
+/* Reads the *count arrays of the stored surfaces, sorted by update, body (cylinder first) and
+ * name. *surfaces is one block, which the caller releases with free(). */
 arc_status arc_store_surfaces(arc_store *store, int id, arc_array **surfaces, size_t *count,
                               arc_error *error);
 

@@ -91,10 +91,10 @@ typedef struct arc_wear_record arc_wear_record;
 typedef arc_status (*arc_state_fn)(void *context, const arc_setting *what,
                                    const arc_wear_record *state, double *value);
 
-/* User function that computes factor [n], the factors by which k is multiplied at n nodes of one
- * body. The inputs are the unworn positions x [mm] of the nodes on the body, in 3-D their positions
- * z [mm] across the motion (otherwise NULL), and their pressures p [MPa] at one increment. A status
- * other than ARC_OK makes the step fail. */
+/* User function that computes the factors by which k is multiplied at n nodes of one body. The
+ * inputs are the unworn positions x [mm] of the nodes on the body, in 3-D their positions z [mm]
+ * across the motion (otherwise NULL), and their pressures p [MPa] at one increment. A status other
+ * than ARC_OK makes the step fail. */
 typedef arc_status (*arc_local_fn)(void *context, arc_body body, int n, const double *x,
                                    const double *z, const double *p, const arc_wear_record *state,
                                    double *factor);
@@ -128,9 +128,8 @@ typedef struct arc_loading {
            "on one body as k_cylinder or k_plate. k can also be a function of the state (help "    \
            "\"state\"), or a table that is interpolated linearly over the distance; two values "   \
            "at the same distance define a jump, and an update ends there. Both are integrated "    \
-           "over each update. A function is evaluated 1.6 times per cycle or more, or 3200 "       \
-           "times or more in a run of over 2000 cycles: peaks shorter than a cycle, or than a "    \
-           "3000th of a long run, may be missed.")                                                 \
+           "over each update. A function is evaluated at intervals shorter than a cycle or, in "   \
+           "runs of over 2000 cycles, than a 3000th of the run; shorter peaks may be missed.")     \
   QUANTITY(alpha, "", 0.5, WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                                \
            "Wear partition factor k_c / k (Eq. 19 of the paper): the upper body's (cylinder's) "   \
            "share of the wear volume. 0: only the plate wears, 1: only the cylinder (pin, ball) "  \
@@ -171,9 +170,9 @@ typedef struct arc_loading {
   QUANTITY(                                                                                        \
       jump, "cycles", 0, ABOVE(0), ARC_AUTOMATIC | ARC_FUNCTION,                                   \
       "Number of cycles between two updates of the geometry (N-bar in the paper). \"auto\": the "  \
-      "number follows from an estimate of the error, and each update is computed in several "      \
-      "stages, with second order. With a number, pressures stay constant between two updates, as " \
-      "in the paper; too large a number is unstable and causes sawtooth ripples, see "             \
+      "number follows from an estimate of the error, and each update is computed by a method of "  \
+      "second order with several stages. With a number, pressures stay constant between two "      \
+      "updates, as in the paper; too large a number is unstable and causes sawtooth ripples, see " \
       "w:stability(). A function computes the number from the state before each update.")          \
   WHOLE(increments, "", 0, EVEN(2, 100000), ARC_AUTOMATIC,                                         \
         "Number n_c of increments in a full cycle. Only half of them are simulated, since both "   \
@@ -181,13 +180,13 @@ typedef struct arc_loading {
         "move by at most an eighth of the contact's half width in one increment; the motion "      \
         "between two points of a loading is divided by the same rule.")                            \
   NUMBER(refresh, "", 0.05, FROM(0), 0,                                                            \
-         "With moving geometry: the displacement of a surface node by wear at which the "          \
-         "stiffness of the worn body is recomputed, as a fraction of the height of the element. "  \
-         "Smaller values are more accurate and slower; the default suffices for most runs. In a "  \
-         "layer a fifth of the remaining thickness replaces the height if it is less. Along the "  \
-         "surface the limit is 0.01 times this fraction of the element width. Between two "        \
-         "computations the stiffness is corrected to first order (not with layers). 0: the "       \
-         "stiffness is recomputed at every update.")                                               \
+         "With moving geometry: the stiffness of a worn body is recomputed when wear has moved a " \
+         "surface node by this fraction of the height of its element. Smaller values are more "    \
+         "accurate and slower; the default suffices for most runs. In a layer a fifth of the "     \
+         "remaining thickness replaces the height if it is less. Along the surface the limit is "  \
+         "0.01 times this fraction of the element width. Between two computations the stiffness "  \
+         "is corrected to first order (not with layers). 0: the stiffness is recomputed at every " \
+         "update.")                                                                                \
   CHOICE(                                                                                          \
       corrections, corrections, ARC_CORRECTIONS_ALL, 0,                                            \
       "\"none\": the finite elements alone, without the terms that correct their errors at short " \
@@ -449,8 +448,8 @@ arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc
                             const arc_wear_record *history, size_t count, arc_wear **wear,
                             arc_error *error);
 
-/* Returns the state of a run as arrays. arc_wear_resume restores the run from these arrays and its
- * history. *state [*count] is one block, which the caller frees with free(). Errors: ARC_MEMORY. */
+/* Returns the state of a run as *count arrays. arc_wear_resume restores the run from these arrays
+ * and its history. *state is one block, which the caller frees with free(). Errors: ARC_MEMORY. */
 arc_status arc_wear_state(const arc_wear *wear, arc_array **state, size_t *count, arc_error *error);
 
 /* Checks the arrays of arc_wear_state, and restores the run from them and its history, like
@@ -486,9 +485,9 @@ typedef struct arc_wear_target {
   double value;
 } arc_wear_target;
 
-/* Makes steps like arc_wear_run, but ends at the first of `count` targets (to 1e-9 relative).
- * *reached is the index of this target, or -1. If a column jumps past its target, the run ends at
- * the jump. */
+/* Makes steps like arc_wear_run, but ends at the first of `count` targets (with a relative
+ * tolerance of 1e-9). *reached is the index of this target, or -1. If a column jumps past its
+ * target, the run ends at the jump. */
 arc_status arc_wear_run_until(arc_wear *wear, double distance, const arc_wear_target *targets,
                               size_t count, const arc_callbacks *callbacks, int *reached,
                               arc_error *error);
@@ -528,8 +527,8 @@ arc_status arc_wear_contact(const arc_wear *wear, arc_contact **contact, arc_err
  * height y [mm], and the pressure p [MPa] with the plate at x = 0 under the nominal load. */
 extern const char *const arc_surface_names[];
 
-/* Returns the arrays of the present surfaces, first of the cylinder, then of the plate, in the
- * order of arc_surface_names. *surfaces [*count] is one block, which the caller frees with free().
+/* Returns the *count arrays of the present surfaces, first of the cylinder, then of the plate, in
+ * the order of arc_surface_names. *surfaces is one block, which the caller frees with free().
  * Errors: those of arc_wear_contact. */
 arc_status arc_wear_surfaces(const arc_wear *wear, arc_array **surfaces, size_t *count,
                              arc_error *error);
@@ -539,8 +538,8 @@ arc_status arc_wear_surfaces(const arc_wear *wear, arc_array **surfaces, size_t 
  * pressures >= 0. ARC_ARGUMENT: the message has the first violation. */
 arc_status arc_wear_check_surfaces(const arc_array *surfaces, size_t count, arc_error *error);
 
-/* A fretting loop: tangential force over position in the periodic cycle on the surfaces before an
- * update. */
+/* A fretting loop: tangential force over position in a periodic cycle, computed on the surfaces
+ * before an update. */
 typedef struct arc_loop {
   size_t count;
   double energy;            /* [N mm] energy dissipated in both strokes */
@@ -556,8 +555,8 @@ typedef struct arc_loop {
 arc_status arc_wear_loop(arc_wear *wear, const arc_callbacks *callbacks, arc_loop **loop,
                          arc_error *error);
 
-/* Computes the growth rate of ripples [1/cycle] at the present state: the largest eigenvalue of the
- * derivative of the wear of one cycle with respect to the depths, by power iteration. Explicit
+/* Computes the growth rate of ripples [1/cycle] at the present state by power iteration. It is the
+ * largest eigenvalue of the derivative of one cycle's wear with respect to the depths. Explicit
  * updates are stable while jump * eigenvalue < 2. Returns ARC_STOPPED if a callback (NULL: none)
  * requested a stop. */
 arc_status arc_wear_stability(arc_wear *wear, const arc_callbacks *callbacks, double *eigenvalue,

@@ -19,8 +19,9 @@ local field_of = { upper = "cylinder", lower = "plate" } -- model{} fields of th
 local role_of = { cylinder = "upper", plate = "lower" }
 number.role_of = role_of
 
--- Returns the setting (type, unit and range) of the field at a path inside a body or one of its materials. Returns
--- nil for an unknown field, and for a table over positions such as the heights of a profile.
+-- Returns the setting (type, unit and range) of a field, given by its path inside a body or material.
+-- Returns nil for an unknown field, and for a field that is a table over positions, such as the heights of
+-- a profile.
 local function in_body(rest)
   local layer = rest:gsub("^layers%.(%d+)%.", "layer%1.")
   local material = rest:gsub("^layers%.%d+%.", ""):gsub("^materials%.[^.]+%.", ""):gsub("^material%.", "")
@@ -28,7 +29,7 @@ local function in_body(rest)
   return own and not own.series and own or named(known.material, material)
 end
 
--- Numeric settings that only joints have, and the body to which each setting of a joint belongs.
+-- Numeric settings that only joints have. owners: the body of a joint to which a setting belongs.
 local angle = { type = "a number in [0, 180]", unit = "degree", low = 0, high = 180 }
 local of_joints = { clearance = { type = "a number > 0", unit = "mm", low = 0 }, inclination = angle, cover = angle }
 local owners = { clearance = "cup", inclination = "cup", cover = "cup", radius = "head" }
@@ -56,9 +57,9 @@ end
 
 local function kind_of(flat, role) return flat["model." .. role .. ".kind"] end
 
--- Returns the role ("upper" or "lower") of the only body with the kind `word`, or nil. If no body has this
--- kind, "cylinder" and "plate" are read as older names of the upper and the lower body. "cylinder" never
--- means the lower body: the result is nil even if only the lower body is a cylinder.
+-- Returns the role ("upper" or "lower") of the body whose kind is `word`; nil if both bodies have this
+-- kind. If no body has it, "cylinder" and "plate" are read as older names of the upper and the lower body.
+-- "cylinder" never means the lower body: the result is nil even if only the lower body is a cylinder.
 local function role_by_kind(flat, word)
   local upper, lower = kind_of(flat, "upper") == word, kind_of(flat, "lower") == word
   if upper ~= lower then return upper and "upper" or word ~= "cylinder" and "lower" or nil end
@@ -132,8 +133,8 @@ function number.paths(name, flat)
   return { named(known.model, inside) and "model." .. inside or name }
 end
 
--- Returns the path of a numeric field whose name means only one path. field: name of the user's field,
--- for error messages. Raises ARGUMENT if the name means both bodies.
+-- Returns the path that the name of a numeric field means. field: the user's field, for error messages.
+-- Raises ARGUMENT if the name means both bodies.
 function number.path(where, field, name, flat)
   local paths = number.paths(name, flat)
   if #paths > 1 then

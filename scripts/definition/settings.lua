@@ -52,8 +52,8 @@ local function check_path(where, name)
   check.fail(where, ("unknown field %s: expected printable ASCII characters"):format(check.shown(name)))
 end
 
--- Returns the fields of a value to store. For an object of a Lua class with __settings, these are the fields from
--- which it can be created; else the value itself is returned.
+-- Returns the form in which a value is stored: for an object of a Lua class with __settings, the fields
+-- from which the object can be created; else the value itself.
 local function own_fields(value)
   local class = getmetatable(value)
   local of = type(class) == "table" and rawget(class, "__settings")

@@ -48,8 +48,8 @@ local function list_of(where, given)
   for i, t in ipairs(given) do
     check_map(where, t, i)
     if differ(t.x, given[1].x) or differ(t.z, given[1].z) then
-      check.fail(where, ("item %d: expected the points of the first map, got %d x %d other points; use t:resample and t:crop "
-        .. "on the maps"):format(i, #t.x, #t.z))
+      check.fail(where, ("item %d: expected the points of the first map, got %d x %d other points; make them equal by "
+        .. "t:resample and t:crop"):format(i, #t.x, #t.z))
     end
     if seen[t.name] then
       check.fail(where, ("item %d: expected a unique name, got %q again"):format(i, t.name))

@@ -46,9 +46,9 @@ local function stem_of(path)
   return stem or path
 end
 
--- export.pvd(run, path, { every= }) writes the current state and returns a function that adds states. Called
--- without arguments, this function adds the current state. Passed to w:run as its progress function, it adds
--- a state after every n-th update (n = every, default 1) and at the end of the run.
+-- export.pvd(run, path, { every= }) writes the current state and returns a function that adds states. The
+-- returned function, called without arguments, adds the current state. As the progress function of w:run,
+-- it adds a state after every n-th update (n = every, default 1) and at the end of the run.
 return function(run, path, options)
   if check.shown(run) ~= "a wear object" and not joint_file.is_joint(run) then
     check.fail(where, "expected a wear object, got " .. check.shown(run))

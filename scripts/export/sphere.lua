@@ -1,6 +1,6 @@
--- Lua function export.vtk for joints: writes the worn surfaces as one .vtu file for the head and one for the
--- cup. The cells are quadrilaterals with wear depth and pressure, in the cup also with cross-shear. The head
--- is drawn in its position under the largest load.
+-- Lua function export.vtk for joints: writes the worn surfaces as one .vtu file for the head and one for
+-- the cup. Each cell, a quadrilateral, has a wear depth, a pressure and, in the cup, a cross-shear. The
+-- head is drawn in its position under the largest load.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"

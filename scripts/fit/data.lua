@@ -1,7 +1,7 @@
 -- Reads and checks the measurements of a fit, and computes the simulated values at the same points. A
--- measurement is a profile of a body after a sliding distance (its position on the body is fitted too), a
--- friction loop (fit/loop.lua), a depth map of a joint (fit/sphere.lua), or a quantity of the history over
--- the sliding distance.
+-- measurement is a profile of a body after a sliding distance, a friction loop (fit/loop.lua), a depth map
+-- of a joint (fit/sphere.lua), or a quantity of the history over the sliding distance. The positions of
+-- profiles on their body are fitted too.
 
 local check = require "archard.lib.check"
 local columns = require "archard.settings".columns
@@ -51,7 +51,7 @@ local one_or_more = check.kind("a finite number, or a list of them", function(v)
   return check.number.test(v) or list.test(v)
 end, check.number)
 local body = check.one_of{ "cylinder", "plate", "head", "cup" }
-local profile = check.kind("a profile of depths with lists x and h [mm] (p:depth() gives it from a profile p of heights)", function(v)
+local profile = check.kind("a profile of depths with lists x and h [mm] (for a profile p of heights, use p:depth())", function(v)
   return (type(v) == "table" or type(v) == "userdata") and v.x ~= nil and v.h ~= nil
 end)
 
@@ -106,7 +106,7 @@ local function errors_of(where, prefix, given, own, value)
   return absolute and same_count(where, prefix, "error", as_list(absolute, #value), #value)
 end
 
--- Fields that are allowed only for profiles or only for loops, and the bodies of joints.
+-- Fields that only profiles may have, fields that only loops may have, and the bodies of joints.
 local of_profiles = { "profile", "x", "h", "body", "section", "shift", "tilt", "level" }
 local of_loops = { "loop", "compliance" }
 local of_joints = { head = true, cup = true }
@@ -137,9 +137,9 @@ local function need_distance(where, prefix, given, what)
     given.distance)
 end
 
--- Returns the start value of a profile's shift [mm]. named: the ends { from, to } of the scar stored with the
--- profile, or nil. If they are given, the start value is their middle. Otherwise the scar is detected in the
--- depths: the start value is its middle if the scar, with a margin, does not contain x = 0, else 0.
+-- Returns the start value of a profile's shift [mm]. named: the ends { from, to } of the scar stored with
+-- the profile, or nil. The start value is the middle of the scar. Without stored ends, the scar is detected
+-- in the depths; if it contains x = 0 within its margins, the start value is 0.
 local function start_of(x, h, named)
   if named then return (named.from + named.to) / 2 end
   local heights = {}
@@ -165,7 +165,7 @@ local function name_of(given)
   return ("profile of the %s%s at %g mm"):format(given.body, at, given.distance)
 end
 
--- Returns a short title for the panel of a plot, or nil for a profile without a section.
+-- Returns a short title of a section for the panel of a plot, or nil for other profiles.
 local function brief_of(given)
   local line = given.section
   return line and ("%s, %s = %g, %g mm"):format(given.body, line.x and "x" or "z", line.x or line.z, given.distance)
@@ -256,8 +256,8 @@ function data.item(where, prefix, given, motion)
   return (given.of and read_series or read_profile)(where, prefix, given)
 end
 
--- Returns true if all measurements have errors, and false if none has an error and all have the same unit.
--- Raises an error in all other cases: without errors, data with different units cannot be weighted.
+-- Returns true if all measurements have standard errors, and false if none has any and all have the same
+-- unit. All other cases are refused: without standard errors, data with different units cannot be weighted.
 local function check_errors(where, items)
   local given, unit = 0, items[1].unit
   for _, item in ipairs(items) do
@@ -385,8 +385,8 @@ local function guess(ratio) -- returns the probable unit of measured lengths; ra
   return ratio < 1e4 and "um" or "nm"
 end
 
--- Returns a text for a message with the largest distance of a series, since the distances may have a wrong
--- unit.
+-- Returns the part of an error message that states the largest distance of a series, which may be in a
+-- wrong unit.
 local function far_of(item)
   if item.kind ~= "series" then return "" end
   return (", distances in mm (up to %g)"):format(item.x[#item.x])

@@ -75,8 +75,8 @@ local function changed(values, i, by)
   return copy
 end
 
--- Returns the two steps of a difference quotient. They are one step up and one step down if `central` is true
--- and the bounds allow both, else one step and 0.
+-- Returns the two steps of a difference quotient: up and down if `central` is true and the bounds allow
+-- both, else one step and 0.
 local function stencil(self, values, i, central)
   local one = self.parameters[i]
   local step = self.step[central and "central" or "forward"] * one.span
@@ -100,10 +100,11 @@ local function position_column(self, readings, values, i)
   return column_between(self:predict(readings, up), self:predict(readings, down), 2 * step)
 end
 
--- Some simulated values change in steps, because the contact edge moves from node to node. Their derivatives
--- are computed over a wide range of the parameter. widest: half of this range, relative to the parameter's
--- value; many: number of intervals for the standard errors; few: number of intervals during the search;
--- closest: near a bound, a side shorter than this fraction of the parameter's value is omitted.
+-- Some simulated values change in steps, because the contact edge moves from node to node. Their
+-- derivatives are computed over a wide range of the parameter. widest: half of this range, relative to the
+-- parameter's value; many: number of intervals for the standard errors; few: number of intervals during the
+-- search; closest: if a bound makes one side of the range shorter than this fraction of the value, this
+-- side is omitted.
 problem.widest, problem.many = 0.24, 8
 local few, closest = 4, 0.05
 
@@ -214,7 +215,7 @@ end
 -- slope; counts: smallest scatter that is added to the error, relative to the error.
 local jumps_above, counts = 0.03, 0.2
 
--- Computes runs over a wide range, in which all unknowns change together. Returns the positions in the range
+-- Computes runs in which all unknowns change together over a wide range. Returns the positions in the range
 -- (-0.5 to 0.5) and the simulated values.
 local function wide_rows(self, values)
   local points, list, rows = spread(-0.5, 0.5, 2 * self.many), {}, {}
@@ -278,7 +279,7 @@ end
 -- fit/data.lua; runs: collection of runs from fit/runs.lua.
 function problem.new(where, unknowns, items, runs)
   local self = setmetatable({ where = where, unknowns = unknowns, items = items, runs = runs,
-    -- rippled: values in the middle of regression lines, by index of the residual
+    -- rippled: values of the regression lines in the middle of the range, by index of the residual
     positions = data.positions(items), parameters = {}, rough = {}, smooth = 0, rippled = {},
     step = { forward = 1e-4, central = 1e-3 } }, problem)
   for _, one in ipairs(unknowns) do self.parameters[#self.parameters + 1] = one end

@@ -74,7 +74,7 @@ end
 -- --- bands ---------------------------------------------------------------------------------------
 
 -- Returns one table for each measurement, with the lists x (or distance), value, error, model (simulated
--- values), low, high and residual = (value - model) / error.
+-- values), low and high (confidence band of the model), and residual = (value - model) / error.
 local function described(self, problem, found, scale, deviation)
   local readings, row, list = problem:runs_at(found.values), 0, {}
   for number, item in ipairs(problem.items) do

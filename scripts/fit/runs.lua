@@ -1,6 +1,6 @@
--- Manages the runs of a fit, one for each set of values of the unknowns. This process computes them or, if a
--- run file is given, the workers of a study. A run that the file contains is never computed again, not even
--- in a later call.
+-- Manages the runs of a fit, one for each set of values of the unknowns. The runs are computed by this
+-- process or, if a run file is given, by the workers of a study. A run that the file contains is not
+-- computed again, even in a later call.
 
 local check = require "archard.lib.check"
 local observe = require "archard.study.observe"

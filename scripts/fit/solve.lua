@@ -40,8 +40,8 @@ local function decompose(columns)
   return { u = u, s = s, v = v, scales = scales, rows = #columns[1], size = #columns }
 end
 
--- Singular values below this fraction of the largest one are treated as 0, because derivatives by finite
--- differences are less accurate.
+-- Singular values below this fraction of the largest one are treated as 0, because finite differences are
+-- not more accurate than that.
 local blind = 1e-5
 
 -- Returns the covariance of the parameters for unit errors of the data, and a list of the combinations of
@@ -146,8 +146,7 @@ local function unfinished(problem, values, columns, covariance)
   return worst, name, steps
 end
 
--- Marks the parameters that are at a bound. The standard errors of the other parameters assume that these are
--- fixed.
+-- Marks the parameters that are at a bound. They are assumed fixed in the standard errors of the others.
 local function mark_bounds(problem, values)
   for i, one in ipairs(problem.parameters) do one.bound = unknown.at_bound(one, values[i]) end
 end
@@ -206,9 +205,9 @@ local function refuse_unsettled(problem, found)
     found.off_name, found.off, solve.shown(problem, found.values)), "NOT_CONVERGED")
 end
 
--- Searches for the best parameters, and repeats the search with central derivatives if it stopped too early.
--- If the residuals exceed the given errors, the convergence limits are multiplied by the ratio of residuals
--- and errors.
+-- Searches for the best parameters, and repeats the search with central derivatives if it stopped too
+-- early. If the residuals exceed the given errors, the convergence limits are multiplied by the ratio of
+-- the residuals to the errors.
 local function settle(problem)
   local function beyond(found, limit)
     return found.off > limit and found.off > limit * problem:error_scale(found.values)

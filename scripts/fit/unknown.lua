@@ -193,9 +193,9 @@ end
 
 -- --- roughness of curves -------------------------------------------------------------------------
 
--- Returns a matrix whose product with the parameters is the roughness of the curves. The matrix has one row
--- for each inner knot, which computes the second difference of the values divided by their typical range.
--- Knot distances are divided by their mean.
+-- Returns a matrix whose product with the parameters is the roughness of the curves. For each inner knot,
+-- one row computes the second difference of the values divided by their typical range. The spacings of the
+-- knots are divided by their mean.
 function unknown.roughness(self)
   local rows = {}
   for _, curve in ipairs(self.curves) do

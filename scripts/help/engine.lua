@@ -16,9 +16,9 @@ return {
 
   -- --- hertz ----------------------------------------------------------------------------------
   { "hertz", kind = "constructor", use = "hertz{ radius=10, load=100 }",
-    text = "Hertz' closed-form solution for the line contact of a cylinder with a flat or, with geometry = "
-      .. '"axisymmetric" or "3-D", for the contact of a ball or crowned roller with a flat. Use it to check the '
-      .. "pressure and half width of an unworn contact." },
+    text = "Hertz' closed-form solution for the contact with a flat: of a cylinder (line contact) or, with "
+      .. 'geometry = "axisymmetric" or "3-D", of a ball or crowned roller. Use it to check the pressure and '
+      .. "half width of an unworn contact." },
   { "hertz.half_width", kind = "field", unit = "mm",
     text = "Half width of the contact: a = sqrt(4 R L_N / (pi t E*)) for a cylinder, a = cbrt(3 R L_N / (4 E*)) "
       .. "for a ball, with the radius R, load L_N, thickness t and contact modulus E*." },
@@ -62,12 +62,12 @@ return {
       .. "k=1e-10 } }} } } }. w:run{ depth={ plate=0.005 } } stops when the coating is worn through." },
   { "body.cylinder", kind = "function", use = "body.cylinder{ radius=10 }", result = "table",
     text = "A half cylinder, fixed at its flat side. Two other supports are for a pin in a bush: with hold = "
-      .. '"free" the flat side can slide sideways, with hold = "hub" the body is a whole disc around a rigid hub. '
-      .. "Fields: radius, hold" .. of_all },
+      .. '"free" the flat side can slide sideways except in its middle, with hold = "hub" the body is a '
+      .. "whole disc around a rigid hub. Fields: radius, hold" .. of_all },
   { "body.ball", kind = "function", use = "body.ball{ radius=10, radius_z=50 }", result = "table",
-    text = 'A ball, crowned roller or ellipsoid for model{ geometry="3-D" }, whose surface has the height x^2 / (2 '
-      .. "radius) + z^2 / (2 radius_z); z is across the motion. radius_z is by default the radius, for a ball. "
-      .. "Fields: radius, radius_z" .. of_all },
+    text = 'A ball, crowned roller or ellipsoid for model{ geometry="3-D" }, whose surface has the height '
+      .. "x^2 / (2 radius) + z^2 / (2 radius_z); z is across the motion. By default radius_z is equal to "
+      .. "radius, for a ball. Fields: radius, radius_z" .. of_all },
   { "body.block", kind = "function", use = "body.block{ width=20, height=10 }", result = "table",
     text = 'A block, fixed at its base or, as the upper body, at its top. With geometry="3-D" it is a half-space '
       .. "or, if a height is given, a layer on a rigid base. Fields: width, height" .. of_all },
@@ -80,11 +80,11 @@ return {
       .. "y(x), as lists x and y, or as a measured trace, body.profile(profile.read(path)). Fields: width, "
       .. "height, y, x" .. of_all },
   { "body.map", kind = "function", use = 'body.map{ y=map.read("ball.sdf"):level("sphere"), radius=10 }', result = "table",
-    text = 'A measured or computed rough surface for model{ geometry="3-D" }, as upper or lower body: a map, or '
-      .. "the fields of map{ x=, z=, y= }. The heights are positive out of the body, on a grid with constant "
-      .. "steps, and interpolated by cubic polynomials. With radius (and radius_z) they are added to a ball. The "
-      .. "bodies touch near x = z = 0, which should be the middle of the map, because the contact must be within "
-      .. "the map. Fields: x, z, y, radius, radius_z" .. of_all },
+    text = 'A measured or computed rough surface for model{ geometry="3-D" }, as upper or lower body: a map, '
+      .. "or the fields of map{ x=, z=, y= }. The heights are positive out of the body, on a grid with "
+      .. "constant steps, and interpolated by cubic polynomials. With radius (and radius_z) the heights are "
+      .. "added to a ball. The bodies touch near x = z = 0, which should be the middle of the map, because "
+      .. "the contact must be within the map. Fields: x, z, y, radius, radius_z" .. of_all },
   { "body.disc", kind = "function", use = "body.disc{ radius=9.95 }", result = "table",
     text = "A full disc, fixed at a hub in its centre; the radius of the hub is 0.15 times the radius of the disc. "
       .. "Fields: radius" .. of_all },
@@ -94,8 +94,8 @@ return {
       .. "available. Fields: inner, outer, fixed" .. of_all },
   { "body.gmsh", kind = "function", use = "body.gmsh{ name=, E=, materials={ coating={ E=400e3 } } }",
     result = "table",
-    text = "Properties of a body whose mesh is read from the Gmsh file of model{ mesh = }. The field materials has "
-      .. "a material for each physical group, by the group's name: help \"gmsh\"." },
+    text = "Properties of a body whose mesh is read from the Gmsh file of model{ mesh = }. The field "
+      .. 'materials assigns a material to each physical group by its name: help "gmsh".' },
   { "model.seconds", kind = "field", unit = "s", text = "Computing time for building the model." },
   { "model.bytes", kind = "field", unit = "bytes", text = "Memory used by the model." },
   { "model.close", kind = "method", use = "m:close()",
@@ -140,8 +140,8 @@ return {
   { "mesh.surface", kind = "method", use = "m.mesh.plate:surface()",
     text = "Numbers of the surface nodes that may be in contact, in the order of increasing x." },
   { "mesh.box", kind = "method", use = "m.mesh.plate:box()",
-    text = "Numbers of the nodes of the wear box: for each surface node the rows + 1 nodes from the surface "
-      .. "inwards." },
+    text = "Numbers of the nodes of the wear box: for each surface node, a column of rows + 1 nodes from the "
+      .. "surface inwards." },
   { "mesh.outline", kind = "method", use = "m.mesh.plate:outline()",
     text = "Numbers of the boundary nodes, counter-clockwise." },
   { "mesh.fixed", kind = "method", use = "m.mesh.plate:fixed()",
@@ -169,8 +169,8 @@ return {
   { "contact.p_max", kind = "field", unit = "MPa",
     text = "Largest nodal pressure. At the edge of a scar it grows as the mesh is refined; use p_average there." },
   { "contact.p_average", kind = "field", unit = "MPa",
-    text = "Largest value of the pressure averaged over a length, the field average of contact{}. Unlike p_max, "
-      .. "p_average converges at edges of scars when the mesh is refined." },
+    text = "Largest mean pressure over a length, which is set by the field average of contact{}. Unlike "
+      .. "p_max, it converges at edges of scars when the mesh is refined." },
   { "contact.p_center", kind = "field", unit = "MPa",
     text = "Pressure at x = 0 of the upper body, which is the lowest point of a cylinder. If the upper body has a "
       .. "profile, the largest pressure may be elsewhere: see p_max." },
@@ -241,13 +241,13 @@ return {
       .. 'magnitude of slip, c:slip("x") and c:slip("z") are maps of its components, c:slip{ z=0 } is a section { '
       .. "x=, s=, sz= }." },
   { "contact.stress", kind = "method", class = "stress", use = "c:stress()",
-    text = "Displacements and stresses inside both bodies, for plot.stress, export.vtk and export.csv. In 3-D the "
-      .. "result has the stresses in one plane of one body: c:stress{ y=-0.05 } below the surface, or a section "
-      .. 'down to a depth of three half widths, c:stress{ z=0 } (the default) or { x=0 }; body="lower" chooses the '
-      .. "body. Its maps sxx, syy, szz, sxy, syz, sxz and mises in MPa are for plot.map; the second axis of a "
-      .. "section is y. For f = c:stress() in 2-D this loop computes the largest von Mises stress m of the plate "
-      .. "and its depth: local m, depth = 0; for i, s in ipairs(f.plate.mises) do if s > m then m, depth = s, "
-      .. "-f.plate.y[i] end end." },
+    text = "Displacements and stresses inside both bodies, for plot.stress, export.vtk and export.csv. In "
+      .. '3-D the result has the stresses in one plane of one body (body="lower" chooses it): c:stress{ '
+      .. "y=-0.05 } is a plane below the surface; c:stress{ z=0 }, the default, and c:stress{ x=0 } are "
+      .. "sections down to a depth of three half widths. Its maps sxx, syy, szz, sxy, syz, sxz and mises in "
+      .. "MPa are for plot.map; the second axis of a section is y. For f = c:stress() in 2-D this loop "
+      .. "computes the largest von Mises stress m of the plate and its depth: local m, depth = 0; for i, s "
+      .. "in ipairs(f.plate.mises) do if s > m then m, depth = s, -f.plate.y[i] end end." },
   { "contact.close", kind = "method", use = "c:close()",
     text = "Frees the memory of the contact now instead of at the next garbage collection." },
   { "stress", kind = "object", use = "f = c:stress()",
@@ -286,9 +286,9 @@ return {
     text = "If true, the cycle repeats. If false, it is a single history that does not repeat, with a geometry "
       .. "update at every increment (Eqs. 4-8)." },
   { "wear{local_factor.vector}", type = "function(body, xs, ps, state, zs)",
-    text = "Function that computes the factors of all nodes in contact in one call, for factors that depend on "
-      .. "neighbours. xs and ps are lists of the positions and pressures of the nodes; in 3-D zs is the list of "
-      .. "positions across the motion. The function returns the list of factors, for which it may use the list ps." },
+    text = "Function that computes the factors of all nodes in contact in one call, for factors that depend "
+      .. "on neighbours. The lists xs and ps have the positions and pressures of the nodes, in 3-D zs the "
+      .. "positions across the motion. The function returns a list of factors; this may be the list ps." },
   { "wear{worn.cylinder}", type = "function(x) or table { x=, h= }", unit = "mm",
     text = "Initial wear depth of the cylinder against x, as in contact{worn.cylinder}." },
   { "wear{worn.plate}", type = "function(x) or table { x=, h= }", unit = "mm",
@@ -334,10 +334,10 @@ return {
   { "wear.run{stop_when}", type = "function(w)",
     text = "Function that is called with the run after every step; the run stops if the function returns true." },
   { "wear.set", kind = "method", takes = "wear", class = "wear", use = "w:set{ alpha=0.3, load=200 }",
-    text = "Changes fields of wear{} between two steps: any field except model, geometry and worn. mesh={ ... } "
-      .. "makes new meshes, to which the worn shapes are transferred. Other fields, the worn shapes and the "
-      .. "history do not change. A new loading starts with its first block; loading=false or stroke= restores a "
-      .. "constant stroke without loading. distance and cycles are counted from the start of the run. Returns the "
+    text = "Changes fields of wear{} between two steps: any field except model, geometry and worn. mesh={ "
+      .. "... } makes new meshes, to which the worn shapes are transferred. Other fields, the worn shapes "
+      .. "and the history do not change. A new loading starts with its first block; loading=false or stroke= "
+      .. "restores a constant stroke. distance and cycles are counted from the start of the run. Returns the "
       .. "run." },
   { "wear.set{mesh}", type = "table { size=, fineness=, rows=, zone=, ... }",
     text = "New meshes of both bodies, with fields of model{ mesh= }; omitted fields do not change. With a new "
@@ -361,10 +361,10 @@ return {
       .. "killed, the run continues from its last w:save." },
   { "wear.profile", kind = "method", values = { "cylinder", "plate" },
     use = 'w:profile("cylinder" | "plate")',
-    text = "Worn profile of a body, lists { x=, h=, y=, worn_x=, way= } in mm. For each surface node they have the "
-      .. "unworn position x, the wear depth h (summed along the normals, positive into the body), the present "
-      .. 'position (worn_x, y), and the length `way` of the vector sum of the wear. export.csv(w:profile("plate"), '
-      .. '"plate.csv") writes the profile to a file.' },
+    text = "Worn profile of a body, lists { x=, h=, y=, worn_x=, way= } in mm. For each surface node they "
+      .. "have the unworn position x, the wear depth h (summed along the normals, positive into the body), "
+      .. "the present position (worn_x, y), and `way`, the length of the vector sum of the wear. "
+      .. 'export.csv(w:profile("plate"), "plate.csv") writes the profile to a file.' },
   { "wear.pressure", kind = "method", values = { "cylinder", "plate" },
     use = 'w:pressure("cylinder" | "plate")',
     text = "Pressure on a body with the plate at x = 0 under the nominal load, lists { x=, p= } in mm and MPa." },
@@ -434,7 +434,7 @@ return {
       .. "(periodic = false), in its last increment. NaN in a run from a file older than format 4, until the run "
       .. "continues." },
   { "wear.load_distance", kind = "field", unit = "N mm",
-    text = "Integral of the load over the sliding distance, the product of load and distance in Archard's law. "
+    text = "Integral of the load over the sliding distance, which is load times distance in Archard's law. "
       .. "With rigid slip, the wear volume of a body is its k times this integral (Eq. 15); wear laws, local "
       .. "factors and elastic slip cause differences. NaN in a run from a file older than format 4." },
   { "wear.half_width", kind = "field", unit = "mm",

@@ -40,8 +40,8 @@ return {
   { "fit{unknown.low}", type = "number", text = "Lower bound; default: the lower limit of the field." },
   { "fit{unknown.high}", type = "number", text = "Upper bound; default: the upper limit of the field." },
   { "fit{unknown.knots}", type = "list of increasing numbers", unit = "mm",
-    text = "Distances at which k or alpha has an unknown value each: k or alpha is then a curve over the distance. "
-      .. "Between the knots the curve is a monotone cubic, beyond the ends it is constant." },
+    text = "Distances (knots) at which the values of k or alpha are unknown: k or alpha is then a curve over "
+      .. "the distance, a monotone cubic between the knots and constant beyond the ends." },
   { "fit{unknown.smooth}", type = 'number >= 0 or "auto"', default = 0,
     text = "Weight of a term that smooths the curves: the squared second differences at the knots, relative to the "
       .. 'plausible range of the field. All curves have the same weight; "auto" chooses the weight by '
@@ -58,11 +58,11 @@ return {
   { "fit{data.distance}", type = "number or list of numbers", unit = "mm",
     text = "Travelled distance at which a profile or loop was measured, or the distance of each value." },
   { "fit{data.cycle}", type = "number or list of numbers", unit = "cycles",
-    text = "Number of cycles, instead of distance. For the conversion to a distance, the motion has the start "
-      .. "values of the unknowns." },
+    text = "Number of cycles, instead of distance. It is converted to a distance with the start values of "
+      .. "the unknowns." },
   { "fit{data.map}", type = "table { theta=, phi=, values= }", unit = "degree, mm",
-    text = "Measured depths of a joint's head or cup (field body) in the directions theta and phi, where phi "
-      .. 'varies fastest, in the form that w:map "cup" returns.' },
+    text = "Measured depths of a joint's head or cup (field body): a map with lists theta, phi [degrees] and "
+      .. 'values [mm], as w:map "cup" returns it. In values, phi varies fastest.' },
   { "fit{data.loop}", type = "table of lists", unit = "mm and N",
     text = "Motion x and tangential force of one cycle in the order of time, in the form that w:loop() returns; "
       .. "for runs with friction. A loop determines the coefficient of friction. Each half cycle is compared with "
@@ -127,7 +127,8 @@ return {
   { "fitted.iterations", kind = "field", text = "Number of iterations of the fit." },
   { "fitted.runs", kind = "field", text = "Number of runs that the fit made, without the runs read from a file." },
   { "fitted.noise", kind = "field",
-    text = "Numerical noise of the results of the runs, relative to the effect of the unknowns over their range." },
+    text = "Numerical noise of the runs, relative to the change of their results over the range of the "
+      .. "unknowns." },
   { "fitted.smooth", kind = "field", text = "Weight of the smoothing of curves, see fit{unknown.smooth}." },
   { "fitted.wear", kind = "field", class = "wear",
     text = "Run with the identified values, up to the last measurement. It can be continued: f.wear:run{ "
@@ -135,11 +136,12 @@ return {
 
   { "fit.design", kind = "function", class = "design",
     use = "d = fit.design{ unknown={ k=1e-8 }, measure={...} }",
-    text = "Plans a test: predicts the standard errors that measurements would have, from derivatives at the start "
-      .. "values. Errors are computed for each measurement alone, for the measurements added in the best order, "
-      .. "and for all together. The errors of a single measurement include the prior knowledge: the start value, "
-      .. "or the interval between the bounds. Widths and pressures jump from node to node; their derivatives are "
-      .. "slopes over +-0.6 times the start value. Prints a table; plot.fit(d) draws it." },
+    text = "Plans a test: predicts the standard errors that measurements would have, from derivatives at the "
+      .. "start values. Errors are computed for each measurement alone, for the measurements added in the "
+      .. "best order, and for all together. The errors of a single measurement include the prior knowledge: "
+      .. "the start value, or the interval between the bounds. Widths and pressures jump from node to node; "
+      .. "their derivatives are slopes over +-60 % of the start value. Prints a table; plot.fit(d) draws "
+      .. "it." },
   { "fit.design{unknown}", type = "table of tables", text = "Parameters to identify, see fit{unknown}." },
   { "fit.design{base}", type = "table", takes = "wear",
     text = "Fields of wear{} that all runs have in common, see fit{base}." },

@@ -110,9 +110,9 @@ local function names_fit(address, path)
   return type(address) == "string" and (path == nil or type(path) == "string")
 end
 
--- Follows a path into tables with the fields of another definition, such as wear{ model={ ... } } or the
--- options of plot{} in plot.pressure(w, { ... }). Returns the address of the other definition and the rest of
--- the path inside it. Returns nil for a field that cannot be changed in an existing object.
+-- Follows a path through tables that have the fields of another definition, such as wear{ model={ ... } } or
+-- the options of plot{} in plot.pressure(w, { ... }). Returns the address of the other definition and the
+-- rest of the path inside it. Returns nil for a field that cannot be changed in an existing object.
 local function follow(address, path)
   local at = address
   local rest = ""
@@ -266,7 +266,8 @@ local function everything()
 end
 
 -- Returns the topics, entries and examples that contain all words of a text or are listed for the text as a
--- synonym. The best are first. Also returns the number of good answers among them, and true if a synonym lists these.
+-- synonym. The best are first. Also returns the number of good answers among them, and true if these are
+-- from a synonym.
 function help.matches(text)
   if type(text) ~= "string" then return {}, 0, false end
   return search.find(everything(), text)

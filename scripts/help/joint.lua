@@ -71,22 +71,23 @@ return {
     text = '"sweep" computes the contact of each instant with the wear of this instant and is stable for steps of '
       .. 'any length; "explicit" limits the steps to the stability limit, which print(w) shows.' },
   { "joint.wear{worn}", type = "table { head=, cup= }", unit = "mm",
-    text = "Initial wear depths of head and cup, each a function of theta and phi in degrees or a map that w:map "
-      .. "of a run returned." },
+    text = "Initial wear depths of head and cup, each a function of theta and phi in degrees, or a map "
+      .. "returned by w:map." },
   { "joint.open", kind = "function", use = 'joint.open("hip.archard", { k=f })',
     text = "Reads the run of a joint written by w:save(path); w:run() continues it with the same results. The "
       .. "functions k, alpha, creep and jump must be given again." },
   { "gait", kind = "function", values = { "iso", "prosim" }, use = 'gait "iso"   gait{ flexion={ 0, 20, 0 }, load=2000 }',
-    text = 'Rotations and load of a joint over one cycle. Use it in a joint: joint{}:wear{ loading=gait "iso", '
-      .. 'cycles=1e6 }. "iso" has the ranges of the walking cycle of ISO 14242-1 with approximate curves in '
-      .. 'between; "prosim" is a simplified walking cycle of simulators. To define a cycle, set flexion, adduction '
-      .. "and rotation in degrees and load in N, along z or { x=, y=, z= }. Each is a function of t in [0, 1], a "
-      .. "number, or a list over t (with period=100, t is in percent). Increments without load cause no wear. "
-      .. 'order is the order of the rotations (default "xyz"), increments the number of increments (default 20); '
-      .. 'gait("iso", { increments=40 }) sets it for a named gait. A gait must be closed. Fields of a gait for a '
-      .. "head of 28 mm: .track is the length of the load's track over the head in a cycle [mm], .work the "
-      .. "friction work of a cycle divided by the coefficient of friction [N mm]. .instants has fifteen numbers "
-      .. "for each increment: rotation matrix by rows, rotation vector, load." },
+    text = "Rotations and load of a joint over one cycle. Use it in a joint: joint{}:wear{ loading=gait "
+      .. '"iso", cycles=1e6 }. "iso" has the ranges of the walking cycle of ISO 14242-1 with approximate '
+      .. 'curves in between; "prosim" is a simplified walking cycle of hip simulators. To define a cycle, '
+      .. "set flexion, adduction and rotation in degrees and load in N, along z or { x=, y=, z= }. Each is a "
+      .. "function of t in [0, 1], a number, or a list over t (with period=100, t is in percent). Increments "
+      .. 'without load cause no wear. order is the order of the rotations (default "xyz"), increments the '
+      .. 'number of increments (default 20); gait("iso", { increments=40 }) sets it for a named gait. A gait '
+      .. "must be closed. Fields of a gait for a head of 28 mm: .track is the length of the load's track "
+      .. "over the head in a cycle [mm], .work the friction work of a cycle divided by the coefficient of "
+      .. "friction [N mm]. .instants has fifteen numbers for each increment: rotation matrix by rows, "
+      .. "rotation vector, load." },
   { "gait.rocking", kind = "function", use = "gait.rocking{ angle=23, load=2000 }", result = "gait",
     text = "Gait with biaxial rocking: the head's axis describes a cone with the half angle `angle` [degrees] "
       .. "under a constant load." },

@@ -38,8 +38,8 @@ return {
     text = "Replaces points that differ from the median of their eight neighbours by more than this factor times "
       .. "the scatter of these differences (1.48 times their median deviation). The factor 20 removes spikes." },
   { "map.read{fill}", type = "true or number in mm",
-    text = "Height of points without a value: true for the mean of their neighbours, or a number. By default, a "
-      .. "file with such points is refused." },
+    text = "Height set at points without a value: a number, or true for the mean of their neighbours. By "
+      .. "default, a file with such points is refused." },
   { "map.read{level}", values = { "plane", "sphere" },
     text = "Form that is subtracted, the best plane or sphere, see t:level." },
   { "map.read{scar}", type = "table { x0, x1, z0, z1 }", unit = "mm",

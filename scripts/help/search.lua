@@ -74,8 +74,8 @@ local function by_synonym(joined)
   return positions
 end
 
--- Returns the entries found for a phrase, the best first, the number of good answers, and true if a synonym lists
--- these. Without a synonym, good answers are the entries that contain the whole words.
+-- Returns the entries found for a phrase, the best first, the number of good answers, and true if these are
+-- from a synonym. Without a synonym, good answers are the entries that contain the whole words.
 function search.find(entries, text)
   local words, found = search.words(text), {}
   if not words[1] then return found, 0 end
@@ -176,8 +176,8 @@ local function scores_by_synonym(words, question)
   return scores
 end
 
--- Returns the entries that answer a question, the best first: their scores are more than a third of the weights of its
--- words. Of entries with the same text, only the first one is returned.
+-- Returns the entries that answer a question, the best first. Their scores exceed a third of the sum of the
+-- weights of the question's words. Of entries with the same text, only the first one is returned.
 function search.answers(entries, question)
   local words, texts, length = subject_of(question), {}, 0
   for i, entry in ipairs(entries) do

@@ -10,9 +10,9 @@ return {
       .. "other results, profiles, maps, materials, numbers and texts, and tables of these." },
   { "session.save", kind = "function", use = "session.save(path)",
     text = "Writes all objects into one run file. A session saved in this file is replaced; other files are "
-      .. "refused. The default path is the file of the last session.save or session.open. Not saved are functions, "
-      .. "stresses, and contacts on surfaces that no longer exist; a study with results remains in its own file. "
-      .. "Returns a text that lists what was saved and what was not." },
+      .. "refused. The default path is the file of the last session.save or session.open. Functions, "
+      .. "stresses, and contacts on surfaces that no longer exist are not saved; a study with results "
+      .. "remains in its own file. Returns a text that lists what was saved and what was not." },
   { "session.open", kind = "function", use = "session.open(path, { w = { k = f } })",
     text = "Restores all objects of the file as globals; runs continue with the same results. Functions are not "
       .. "stored: pass the functions of a run again under the name of the run, such as k of the run w above. If an "

@@ -103,8 +103,8 @@ end
 
 show.listing = listing
 
--- Returns the first `most` entries of a list as { name=, text= }, where the name is the address of the entry
--- and the text is sentence_of(text of the entry).
+-- Returns the first `most` entries of a list as { name=, text= }: the address of each entry, and the
+-- sentence that sentence_of selects from its text.
 local function shown_by_address(entries, most, sentence_of)
   local list = {}
   for i = 1, math.min(#entries, most) do
@@ -127,7 +127,7 @@ function show.found(found, text, most)
     .. (left > 0 and ('\n\nmore: help.search "%s"'):format(text) or "")
 end
 
--- Returns a text with the first `most` of a list of entries. Each entry is shown with its first sentence.
+-- Returns a text with the first `most` entries of a list. Each entry is shown with its first sentence.
 function show.others(entries, most)
   return listing("See also", shown_by_address(entries, most, function(each) return show.first_sentence(each, longest_sentence) end))
 end

@@ -14,11 +14,11 @@ return {
       .. "Fields of a case override the fields of base: tables of fields are merged, lists and numbers are "
       .. "replaced." },
   { "study{vary}", type = "table of lists", takes = "wear",
-    text = "Fields of wear{} with a list of values each; the cases are all combinations, and the alphabetically "
-      .. 'last name changes fastest. A field of an inner table is written nested or as ["model.mesh.size"]. There '
-      .. 'are short names: ["lower.E"] or ["pin.radius"] for a body by its role, name or kind, '
-      .. '["lower.layer1.thickness"] for a layer, E and nu for both bodies. Cases, samples, fits and sensitivities '
-      .. "use the same names." },
+    text = "Fields of wear{} with a list of values each. The cases are all combinations; the field with the "
+      .. "alphabetically last name changes fastest. A field of an inner table is written nested or as "
+      .. '["model.mesh.size"]. There are short names: ["lower.E"] or ["pin.radius"] for a body by its role, '
+      .. 'name or kind, ["lower.layer1.thickness"] for a layer, E and nu for both bodies. Cases, samples, '
+      .. "fits and sensitivities use the same names." },
   { "study{cases}", type = "list of tables", takes = "wear",
     text = "List of cases instead of vary; each case is a table of fields of wear{}." },
   { "study{name}", type = "string", default = '"study"',
@@ -37,8 +37,8 @@ return {
       .. "for all cases. On elements smaller than the paper's 20 um the jump is reduced in proportion, because "
       .. "shorter ripples become unstable at a smaller jump." },
   { "study.trials", kind = "function", class = "study", use = "study.trials(base)",
-    text = "The runs of the paper's convergence example (Fig. 8): stroke a (the unworn half width), alpha 0.5, "
-      .. "1000 cycles, with several jumps and increments, by Eq. (4) and by Eq. (5)." },
+    text = "The runs of the paper's convergence example (Fig. 8): stroke a (the unworn half width), alpha "
+      .. "0.5, 1000 cycles, with several jumps and numbers of increments, by Eq. (4) and by Eq. (5)." },
   { "study.meshes", kind = "function", class = "study", use = "study.meshes(base)",
     text = "Mesh study: stroke a (the unworn half width), alpha 0.25 to 1, on elements of 20, 10 and 5 um." },
   { "study.open", kind = "function", class = "study", use = "s = study.open(file)",
@@ -68,13 +68,14 @@ return {
     text = "Fraction of the contact width that slips, at both edges together, at the transition to partial slip." },
   { "study.converge", kind = "function", class = "convergence",
     use = "c = study.converge{ base={ stroke=0.22 } }",
-    text = "Mesh and step convergence study: searches for the element size, the jump and the increments at which "
-      .. "results no longer change. The element size is small enough if the unworn pressure agrees with Hertz' "
-      .. "pressure at this size and at half of it, with at least eight elements across the contact. The jump is "
-      .. "the largest one below the stability limit for which the surfaces remain smooth and symmetric. The "
-      .. "increments are the fewest with the same profiles. Accepts the fields of study{} and the fields below, or "
-      .. "a study and a table of the fields below; cases are distributed to workers. For study.paper() it prints "
-      .. "the paper's Table 1 next to the computed values." },
+    text = "Mesh and step convergence study: searches for the element size, the jump and the increments at "
+      .. "which results no longer change. The element size is small enough if the unworn pressure agrees "
+      .. "with Hertz' pressure at this size and at half of it, with at least eight elements across the "
+      .. "contact. The jump is the largest one below the stability limit for which the surfaces remain "
+      .. "smooth and symmetric. The increments are the fewest that do not change the profiles. Accepts the "
+      .. "fields of study{} and the fields below, or a study and a table of the fields below; cases are "
+      .. "distributed to workers. For study.paper() it prints the paper's Table 1 next to the computed "
+      .. "values." },
   { "study.converge{base}", type = "table", text = "Fields of wear{} that all cases have in common, see "
     .. "study{base}." },
   { "study.converge{vary}", type = "table of lists", text = "Varied fields with their values, see study{vary}." },
@@ -139,7 +140,7 @@ return {
   { "study.submit{shares}", type = "whole number from 1 to 1000",
     text = "Number of shares; default: the number of processors of this machine." },
   { "study.submit{workers}", type = "whole number from 1 to 256", default = 1,
-    text = "Number of cases that a share computes at the same time, and of processors that are requested for the "
+    text = "Number of cases that a share computes at the same time. As many processors are requested for the "
       .. "share." },
   { "study.submit{file}", type = "string", text = "Run file of the study, see study.run{file}." },
   { "study.submit{options}", type = "list of strings",
@@ -197,11 +198,11 @@ return {
   { "convergence.cases", kind = "field",
     text = "Results of the search for each case, a list of { label=, status=, settings=, found= }. Fields of "
       .. "found: jump, the largest good jump; limit, the stability limit of the jump; judged, the number of "
-      .. "updates in the trial of this jump; roughness and asymmetry at this jump; smooth, the accepted roughness "
-      .. "if it was increased; increments, the number in a cycle; change, the difference of the profiles from the "
-      .. "profiles with the most increments; first_depth [mm]; jumps and roughnesses, lists of all trials. capped "
-      .. 'is true if no larger jump was tried. bound is then the reason: "stability", or "cycles" (jumps are '
-      .. "limited to a tenth of all cycles)." },
+      .. "updates in the trial of this jump; roughness and asymmetry at this jump; smooth, the accepted "
+      .. "roughness if it was increased; increments, the number in a cycle; change, the difference of the "
+      .. "profiles from the profiles with the most increments; first_depth [mm]; jumps and roughnesses, "
+      .. "lists of all trials. The field capped is true if no larger jump was tried; bound is then the "
+      .. 'reason: "stability", or "cycles" (jumps are limited to a tenth of all cycles).' },
   { "convergence.notes", kind = "method", use = "c:notes()",
     text = "Returns a list of texts about the cases whose search ended at a limit." },
   { "convergence.table_1", kind = "method", use = "c:table_1()",
@@ -210,14 +211,15 @@ return {
   -- --- calibrate ------------------------------------------------------------------------------
   { "calibrate", kind = "function", class = "calibration", takes = "wear",
     use = "calibrate{ volume={ cylinder={...}, plate={...} }, load=100, distance=1320 }",
-    text = "Wear coefficients (specific wear rates) from measured wear. Divide a mass loss by the density. Use 0 "
-      .. "for a body that does not wear or was not measured. From volumes it computes k, k_cylinder, k_plate and "
-      .. "alpha (Eq. 12), with the scatter of repeated tests and confidence intervals of the means. From volumes "
-      .. "at several distances, calibrate{ distance={...}, volume={ cylinder={...}, plate={...} }, load=100 }, it "
-      .. "computes tables over the distance; wear{ k=c.k, alpha=c.alpha } reproduces the volumes. From depths it "
-      .. "computes k and alpha by simulation: calibrate{ depth={ cylinder=1.2e-3, plate=1.7e-3 }, load=100, "
-      .. "distance=1320, stroke=0.44 }, with further fields of wear{}. If k is set, only alpha is identified; it "
-      .. "is an error if the simulated sum of both depths then differs by more than 5 % from the measured sum." },
+    text = "Computes wear coefficients (specific wear rates) from measured wear. Divide a mass loss by the "
+      .. "density. Use 0 for a body that does not wear or was not measured. Volumes determine k, k_cylinder, "
+      .. "k_plate and alpha (Eq. 12), with the scatter of repeated tests and confidence intervals of the "
+      .. "means. Volumes at several distances, calibrate{ distance={...}, volume={ cylinder={...}, "
+      .. "plate={...} }, load=100 }, determine tables over the distance; wear{ k=c.k, alpha=c.alpha } "
+      .. "reproduces the volumes. From depths, k and alpha are computed by simulation: calibrate{ depth={ "
+      .. "cylinder=1.2e-3, plate=1.7e-3 }, load=100, distance=1320, stroke=0.44 }, with further fields of "
+      .. "wear{}. If k is set, only alpha is identified; it is an error if the simulated sum of both depths "
+      .. "then differs by more than 5 % from the measured sum." },
   { "calibrate{volume}", type = "table { cylinder=, plate= }", unit = "mm3",
     text = "Worn volumes of both bodies: numbers, or lists with an item per test, in the same order for both "
       .. "bodies. 0 means too small to measure. With a list of distances, a body has the total volume at each "

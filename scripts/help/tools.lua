@@ -57,9 +57,10 @@ return {
   { "profile.z", kind = "field", type = "list", unit = "mm",
     text = "Heights of the points; nil in a profile of depths." },
   { "profile.h", kind = "field", type = "list", unit = "mm",
-    text = "Depths of the points, negative above the reference; nil in a profile of heights. In worn = { plate = p "
-      .. "}, a point above the reference by up to 5 standard deviations of the noise has the depth 0, and a higher "
-      .. "point is an error; a profile of heights is converted to depths below its highest point." },
+    text = "Depths of the points, negative above the reference; nil in a profile of heights. In worn = { "
+      .. "plate = p }, a point above the reference has the depth 0 if its height is at most 5 times the "
+      .. "larger of p.error and p.scatter.deviation; higher points are refused. A profile of heights is "
+      .. "converted to depths below its highest point." },
   { "profile.error", kind = "field", type = "number", unit = "mm",
     text = "Standard deviation of the noise of a point. It is set by the user or estimated from the "
       .. "deviation of each point from the line between its neighbours (which includes roughness at the "
@@ -129,18 +130,18 @@ return {
   -- --- plot -----------------------------------------------------------------------------------
   { "plot", kind = "function", use = 'plot.profile(w)   plot.history(w, "depth_plate", { file="wear.png" })\n'
     .. "plot{ {x=..., y=..., title=...}, ..., xlabel=..., file=... }",
-    text = "plot.profile, plot.history, plot.pressure and others draw results of a run w: the worn profiles, a "
-      .. "column of its history over the distance. All accept the fields below, such as file, in a table at the end. plot{} "
-      .. "draws curves of lists. Pictures are drawn with gnuplot: in the terminal, a window or a file. The list part of the table contains "
-      .. "the curves; NaN and infinite values interrupt a line. In titles \\alpha becomes the Greek letter, and "
-      .. "p_H and mm^2 have a subscript and a superscript (in files and windows). More than eight curves are "
-      .. "labelled at their ends." },
+    text = "plot.profile, plot.history, plot.pressure and others draw results of a run w: the worn profiles, "
+      .. "a column of its history over the distance. All accept the fields below, such as file, in a table "
+      .. "at the end. plot{} draws curves of lists: the list part of its table contains the curves; NaN and "
+      .. "infinite values interrupt a line. Pictures are drawn with gnuplot in the terminal, a window or a "
+      .. "file. In titles \\alpha becomes the Greek letter, and p_H and mm^2 have a subscript and a "
+      .. "superscript (in files and windows). More than eight curves are labelled at their ends." },
   { "plot{x}", type = "list", text = "For a curve: list of its abscissae; default: 1, 2, 3, ..." },
   { "plot{y}", type = "list", text = "For a curve: list of its ordinates." },
   { "plot{value}", type = "list",
-    text = "An item of the list part with this list is a coloured field. x, y and value then have four numbers for "
-      .. "each polygon, one for each corner; a triangle repeats its last corner. For a curve: the value whose "
-      .. "colour in the colour scale the curve has." },
+    text = "An item of the list part with this list is drawn as a coloured field. Its lists x, y and value "
+      .. "have four numbers for each polygon, one for each corner; a triangle repeats its last corner. For a "
+      .. "curve: a number that selects its colour in the colour scale." },
   { "plot{error}", type = "list", text = "For a curve: list of the half lengths of its error bars in y." },
   { "plot{points}", type = "table { x=, y=, error=, title= }",
     text = "Measured points to draw over the curves, with the fields of plot.points{}." },
@@ -242,7 +243,7 @@ return {
     text = "Result on the ordinate: a column of the history, at the end of each case." },
   { "plot.response{by}", type = "string", text = "Another varied field; each of its values has a curve." },
   { "plot.response{map}", type = "boolean", default = false,
-    text = "If true, draws a map over x and by, with a coloured field for each case." },
+    text = "If true, draws a map over the fields x and `by`, with a coloured rectangle for each case." },
   { "plot.response{where}", type = "table",
     text = "Values of other varied fields that select the cases to draw, such as { k=1e-8 }." },
   { "plot.pressure", kind = "function", takes = "plot", use = "plot.pressure(w1, w2, ..., { scaled=true })",
@@ -391,12 +392,12 @@ return {
   { "export.pvd{every}", type = "number", default = "1",
     text = "Number of updates between two written states; 1: every update is written." },
   { "export.inp", kind = "function", use = "export.inp(obj, path)",
-    text = "Writes an input deck of a contact, a run (with its worn surfaces) or a model (at its default load) for "
-      .. "Abaqus and CalculiX: both bodies, supports, contact pair, load and output requests. CalculiX runs it "
-      .. "with ccx path (without ending). The bodies are one element thick and fixed along z. Their elements are "
-      .. "C3D8, C3D8I instead of CPE4I, and C3D6 instead of triangles, which are stiffer than in the model as nu "
-      .. "approaches 1/2. Only plane strain is possible. For other models, single meshes can be written: CPS4, or "
-      .. "CAX4 for one half of the section, with the radius as x." },
+    text = "Writes an input deck of a contact, a run (with its worn surfaces) or a model (at its default "
+      .. "load) for Abaqus and CalculiX: both bodies, supports, contact pair, load and output requests. "
+      .. "CalculiX runs it with ccx path (without ending). The bodies are one element thick and fixed along "
+      .. "z. Their elements are C3D8 (C3D8I for CPE4I), and C3D6 for triangles. As nu approaches 1/2, C3D6 "
+      .. "is stiffer than the triangles of the model. Only plane strain is possible. For other models, "
+      .. "single meshes can be written: CPS4, or CAX4 for one half of the section, with the radius as x." },
   { "export.msh", kind = "function", use = "export.msh(m, path)",
     text = "Writes a model or mesh as a Gmsh file (4.1, text, mm), with the physical groups that model{ mesh = "
       .. "path } reads: upper is the cylinder, lower the plate, upper.layer1 the first layer of the cylinder. "

@@ -93,13 +93,14 @@ return {
     text = "The probability for half of the samples and for all samples, a list of { n=, probability= }, to check "
       .. "its convergence." },
   { "uncertainty", kind = "object", use = "u = s:uncertainty{...}",
-    text = "Statistics of a sampled study, such as s = study{ sample={ k=lognormal{ mean=1e-8, variation=0.4 } }, "
-      .. "n=256 }:run(), by the name of the result: u.depth_cylinder.mean[i] is the mean at the distance "
-      .. "u.distance[i]. Each result has mean, mean_error, deviation, quantiles (a list of { share=, value=, low=, "
-      .. "high= }), rank (Spearman's correlation with every field at the last distance) and convergence (these "
-      .. "statistics for increasing numbers n of samples). With indices it also has first and total, by field { "
-      .. "value=, error= }: the share of the variance caused by the field alone, and by the field with its "
-      .. "interactions. print(u) shows the statistics." },
+    text = "Statistics of a sampled study, such as s = study{ sample={ k=lognormal{ mean=1e-8, variation=0.4 "
+      .. "} }, n=256 }:run(), by the name of the result: u.depth_cylinder.mean[i] is the mean at the "
+      .. "distance u.distance[i]. Each result has mean, mean_error, deviation, quantiles (a list of { "
+      .. "share=, value=, low=, high= }), rank (Spearman's correlation with every field at the last "
+      .. "distance) and convergence (these statistics for increasing numbers n of samples). With indices it "
+      .. "also has tables first and total, { value=, error= } for each field: the share of the variance "
+      .. "caused by the field alone, and by the field with its interactions. print(u) shows the "
+      .. "statistics." },
   { "uncertainty.distance", kind = "field", unit = "mm",
     text = "Sliding distances at which the statistics are computed." },
   { "uncertainty.of", kind = "field", text = "Names of the results, which are columns of the history." },
@@ -134,10 +135,10 @@ return {
       .. "the line as a fraction of the number (smaller near the limits of the number). 0: local derivatives of "
       .. "all results." },
   { "sensitivity", kind = "object", use = "s = w:sensitivity{...}",
-    text = "s.depth_cylinder.k is the sensitivity of the depth to k. It has derivative and error (in the unit of "
-      .. "the result divided by the unit of the number), elasticity, elasticity_error, and over (half the range of "
-      .. "a slope as a fraction of the number; 0: a local derivative), each a list over s.distance. print(s) shows "
-      .. "the values at the end." },
+    text = "s.depth_cylinder.k is the sensitivity of the depth to k. Its fields are lists over s.distance: "
+      .. "derivative and error (in the unit of the result divided by the unit of the number), elasticity, "
+      .. "elasticity_error, and over (half the range of a slope as a fraction of the number; 0: a local "
+      .. "derivative). print(s) shows the values at the end." },
   { "sensitivity.distance", kind = "field", unit = "mm", text = "Distances at the ends of the steps." },
   { "sensitivity.of", kind = "field", text = "Names of the results, which are columns of the history." },
   { "sensitivity.to", kind = "field", text = "Names of the varied numbers of wear{} or model{}." },

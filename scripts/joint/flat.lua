@@ -26,8 +26,8 @@ function flat.point(radius, n)
   return share * n[2], share * n[1]
 end
 
--- Returns the curve of directions n(s), s in [0, 1], in the flat map. Points outside the half sphere become
--- gaps (NaN).
+-- Returns a curve in the flat map. n(s): direction of the point at s in [0, 1] of the curve. Points outside
+-- the half sphere become gaps (NaN).
 function flat.curve(radius, n, count)
   local x, y = {}, {}
   for i = 0, count do
@@ -58,7 +58,7 @@ function flat.direction(radius, x, z)
   return { share * z, share * x, math.cos(angle) }
 end
 
--- Returns a function of a direction that returns true if the cup covers this direction.
+-- Returns a function(n) that returns true if the cup covers the direction n.
 function flat.cover(cup)
   local tilt, least = math.rad(cup.inclination), math.cos(math.rad(cup.cover))
   return function(n) return n[1] * math.sin(tilt) + n[3] * math.cos(tilt) >= least end

@@ -23,10 +23,11 @@ function lattice.deepest(engine, body)
   return most
 end
 
--- Warns if the contact reaches the cup's rim to within a cell, or if it is so near the rim that the error
--- of the model (complete spheres) exceeds about 1 %. margin: distance of the contact from the rim [degree];
--- warned: table of the warnings printed so far; share: factor on the smallest distance without a warning,
--- default 1. The model differs from finite elements by 0.7 % if the distance is half the liner's thickness.
+-- Warns if the contact is less than a cell from the cup's rim, or so near the rim that the error of the
+-- model, which assumes complete spheres, exceeds about 1 %. margin: distance of the contact from the rim
+-- [degree]; warned: table of the warnings printed so far; share: multiplies the smallest distance without a
+-- warning, default 1. The model differs from finite elements by 0.7 % if the distance is half the liner's
+-- thickness.
 function lattice.warn_of_rim(where, joint, margin, warned, share)
   if warned.reached then return end
   if margin < joint.mesh.size then

@@ -18,8 +18,8 @@ strict.class(class)
 
 local most_lost = 0.01 -- largest relative error of path or work without a warning
 
--- Warns if the error of path or work due to the increments exceeds `most_lost`. The error decreases with the
--- square of the number of increments. It is therefore 4/3 of the change when this number is doubled.
+-- Warns if the number of increments is so small that the error of the path or work exceeds `most_lost`. The
+-- error with n increments is proportional to 1/n^2, so it is 4/3 of the change from n to 2n.
 local function warn_of_few(name, count, track, work, finer)
   local fine_track, fine_work = sphere.path(finer, 14)
   local lost = 4 / 3 * math.max(1 - track / fine_track, math.abs(1 - work / fine_work))

@@ -1,5 +1,5 @@
--- Runs of joints, wear{ model=j, loading=gait "iso" }: steps over blocks of gaits, histories and maps. If a
--- step fails, the run is unchanged. Lengths are in mm.
+-- Runs of joints, wear{ model=j, loading=gait "iso" }: computes the steps over blocks of gaits, the history
+-- and the maps. A step that fails does not change the run. Lengths are in mm.
 
 local bodies = require "archard.joint.bodies"
 local check = require "archard.lib.check"
@@ -40,7 +40,7 @@ local fields = { loading = loading_kind, k = number_or_function,
 runs.fields = fields
 runs.callable = { "k", "alpha", "creep", "jump" } -- settings that may be functions
 local block_fields = { gait = given_gait.kind, cycles = check.positive }
-local shape_kind = check.kind("a function of theta and phi in degrees, a map of a run, or a list of its values", function(v)
+local shape_kind = check.kind("a function of theta and phi in degrees, a map of a run, or the list of values of a map", function(v)
   return type(v) == "function" or type(v) == "table"
 end)
 
@@ -215,8 +215,8 @@ local function block_at(run)
   return run.blocks[#run.blocks], math.huge
 end
 
--- Returns a to-be-closed value, which restores the present state of the joint when it is closed. A contact
--- that is computed before does therefore not change the run.
+-- Returns a to-be-closed value. When it is closed, the joint returns to its present state, so that contacts
+-- computed in between do not change the run.
 local function unchanged(run)
   local state = sphere.state(run.engine)
   return setmetatable({}, { __close = function() sphere.set_state(run.engine, state) end })

@@ -30,9 +30,9 @@ check.shown = names.shown -- shown(value) formats a value for a message: "dumb",
 
 -- --- kinds of values: a test and a text of the expected value ----------------------------------
 
--- Returns a kind of values, which the functions below use to check arguments. expected: text of the kind in
--- messages; test(value): returns true for an accepted value. For lists, `item` is the kind of the items (to
--- report the wrong item), and `growing` is true if the items must increase.
+-- Makes a kind, which describes the values that an argument may have. expected: description in messages;
+-- test(value): returns true for an accepted value. For lists, `item` is the kind of the items (to report
+-- the wrong item), and `growing` is true if the items must increase.
 function check.kind(expected, test, item, growing)
   return { expected = expected, test = test, item = item, growing = growing }
 end
@@ -103,7 +103,7 @@ function check.depth(where, name)
   end
 end
 
--- Fields for check.fields that accept every name and value. They are checked elsewhere.
+-- For check.fields: fields of any name and value. Other functions check such a table.
 check.anything = setmetatable({}, { __index = function() return check.any "a field" end })
 
 local function pair(names, low, high)
@@ -197,8 +197,8 @@ function check.as(where, f, ...)
   check.fail(where, err.message, err.code)
 end
 
--- Checks and returns a table that has only named fields. or_else: text of other accepted values; name: name
--- of the field that contains the table.
+-- Checks and returns a table that has only named fields. or_else: description of other accepted values;
+-- name: name of the field that contains the table.
 function check.definition(where, given, fields, or_else, name)
   if type(given) ~= "table" then
     check.fail(where, ("expected %sa table of named fields, got %s"):format(or_else or "",

@@ -59,8 +59,8 @@ function folder.entries()
   return list
 end
 
--- Returns a function part(each), which loads the file `each` in the folder `name` of the examples on the first
--- call and returns the file's result. The file receives the same function as its argument, to load other parts.
+-- Returns a function part(each), which returns the result of the file `each` in the folder `name` of the
+-- examples. The first call loads the file. The file's argument is the same function, to load other parts.
 function folder.parts(where, name)
   local loaded = {}
   local function part(each)

@@ -1,7 +1,7 @@
 -- history_at(history, column, distance) returns the value of a column of the history at a distance [mm]. It
--- interpolates by a cubic polynomial through four rows, or fewer if the history is shorter. Rows with NaN
--- at the start of a column are omitted (the unworn state has no partition of depths). The first number of a
--- column is returned for all distances before it.
+-- interpolates by a cubic polynomial through four rows, or fewer if the history is shorter. NaN at the
+-- start of a column is ignored (the partition of depths is undefined in the unworn state). For smaller
+-- distances, the first number of the column is returned.
 return function(history, column, distance)
   local x, y, start = history.distance, history[column], 1
   while start < #x and y[start] ~= y[start] do start = start + 1 end

@@ -1,5 +1,5 @@
--- How a new process starts this program: the path of archard.so, which is the module for the stock
--- interpreter, and Lua code that calls a module.
+-- Helps to start this program in a new process: returns the path of archard.so (the module for the stock
+-- Lua interpreter) and Lua code that calls a module.
 
 local itself = {}
 

@@ -108,8 +108,8 @@ function writer:key(key)
   return "[" .. self:scalar(key, "key") .. "]"
 end
 
--- Returns how many items at the start of a list with `count` items are shown. A shortened list also shows
--- its last item.
+-- Returns the number of items shown from the start of a list with `count` items. A shortened list also
+-- shows its last item.
 local function shown_head(count, depth)
   local most = depth == 0 and limits.list or limits.inner_head + 2
   if count <= most then return count end

@@ -1,5 +1,5 @@
 -- Shows the progress of a wear run up to the distance `goal` [mm] on standard error. Returns nil if
--- standard error is not a terminal, else a function: it is called with the run after each step, and without
+-- standard error is not a terminal, else a function to be called with the run after each step, and without
 -- arguments at the end.
 
 local term = require "archard.term"

@@ -76,9 +76,9 @@ local function hide_metatables()
   end
 end
 
--- Includes finalizers in the count of instructions. Lua calls no hook during a finalizer, so finalizers
--- are run in a coroutine, which has its own hooks. Each object with a finalizer gets a guard: a second
--- object that is collected together with it, and whose finalizer runs the finalizer of the object.
+-- Includes finalizers in the count of instructions. Lua calls no hook during a finalizer, so finalizers are
+-- run in a coroutine, which has its own hooks. Each object with a finalizer has a guard object, which is
+-- collected together with it. The finalizer of the guard runs the finalizer of the object.
 local function count_finalizers()
   local set = globals.setmetatable
   local guards = setmetatable({}, { __mode = "k" })

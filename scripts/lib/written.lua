@@ -6,8 +6,8 @@ function written.note(where, ...)
   io.stderr:write(("archard: %s: wrote %s\n"):format(where, table.concat({ ... }, ", ")))
 end
 
--- Returns its arguments after `where`, the names of written files. The names are also printed unless the
--- prompt runs, which shows returned values itself.
+-- Returns its arguments after `where`, which are the names of written files. Also prints them, except at
+-- the prompt, which shows returned values itself.
 function written.returned(where, ...)
   if not package.loaded["archard.lib.prompt"] then written.note(where, ...) end
   return ...

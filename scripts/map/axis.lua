@@ -6,8 +6,8 @@ local axis = {}
 -- Returns the mean step of the points.
 function axis.step(list) return (list[#list] - list[1]) / (#list - 1) end
 
--- Returns the index of the first point that differs from even steps by more than a twentieth of a step, or
--- nil if all steps are even.
+-- Returns the index of the first point that is more than a twentieth of a step from its evenly spaced
+-- position, or nil if there is none.
 function axis.uneven(list)
   local step = axis.step(list)
   for i = 2, #list do

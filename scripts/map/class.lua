@@ -1,6 +1,6 @@
 -- Class map: values y over points (x, z) with even steps, in mm. x is along the motion, z across it, and
--- heights point upwards. y is a flat list by rows of x: the value at x[i], z[j] is y[(i - 1) * #z + j].
--- Each method returns a new map.
+-- heights point upwards. y is a flat list: the value at x[i], z[j] is y[(i - 1) * #z + j]. Each method
+-- returns a new map.
 
 local axis = require "archard.map.axis"
 local check = require "archard.lib.check"
@@ -58,8 +58,8 @@ function map.new(where, x, z, y, about)
   return setmetatable(result, class)
 end
 
--- Returns a map with new points and values. `changes` are changed fields; all other fields are copied from
--- the map t.
+-- Returns a map with new points and values. changes: other fields to change; the remaining fields are
+-- copied from the map t.
 function map.derived(t, x, z, y, changes)
   local result = merged(t, changes)
   result.x, result.z, result.y, result.size = x, z, y, { #x, #z }

@@ -70,7 +70,7 @@ function source:check_size(nx, nz, size, row)
   end
 end
 
--- Returns `value`, which is finite or missing. Raises an error for an infinite value; the message has the
+-- Returns `value`, a finite number or NaN (missing). An infinite value is an error; the message states the
 -- point i and the row j.
 function source:checked(value, i, j)
   if value == math.huge or value == -math.huge then
@@ -101,9 +101,9 @@ function source:grid(nx, nz, item, options)
   return y
 end
 
--- Reads nz rows of nx values, separated by blanks, from the position self.at of the text on. Returns them as a flat
--- list, row by row. options.bad is the word for a missing value, options.is_missing(value) returns true for a missing
--- value. Text after the last value is ignored.
+-- Reads nz rows of nx values, separated by blanks, from the position self.at of the text on. Returns a flat
+-- list in the order of source:grid. options.bad: word for a missing value; options.is_missing(value): true
+-- for a missing value. Text after the last value is ignored.
 function source:words(nx, nz, options)
   local left = #self.text - self.at + 1
   if nx * nz > (left + 1) // 2 then -- a value needs at least a digit and a blank

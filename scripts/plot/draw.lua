@@ -62,9 +62,9 @@ function draw.options(where, options, own)
   return check.fields(where, options or {}, merged(figure_fields, own))
 end
 
--- Properties of option tables, set by draw.over(), with the option table as the key. `titled`: the title was
--- chosen by the drawing function. `stacked`: the panels may also be drawn side by side. `x`, `y`: the unit of
--- this axis may be changed.
+-- Properties of option tables, stored by draw.over() under the option table as the key. `titled`: the title
+-- was chosen by the drawing function. `stacked`: the panels may also be drawn side by side. `x`, `y`: the
+-- unit of this axis may be changed.
 local made = setmetatable({}, { __mode = "k" })
 
 -- Returns the defaults of a drawing function, overridden by the user's options of plot{}. nature: "stacked"
@@ -259,8 +259,7 @@ local function count_shown(curve, axis)
   return count
 end
 
--- Returns a function of a panel and a curve. The function returns true if the curve is drawn with a mark at
--- each point.
+-- Returns a function(panel, curve) that returns true if the curve is drawn with a mark at each point.
 local function marked_of(figure)
   local counts, most = {}, {}
   for _, panel in ipairs(figure.panels) do
@@ -280,8 +279,8 @@ local function with_label(title, label)
   return label:sub(1, #title) == title and label or title .. ", " .. label
 end
 
--- Returns the figure for output as "pixels" or "characters" (`surface`): with suitable units and without the
--- curves for the other kind of output. In pixels, lines of few points have marks.
+-- Returns the figure for the output `surface`, "pixels" or "characters": with suitable units, without the
+-- curves for the other output. In pixels, lines of few points have marks.
 local function on(figure, surface)
   local panels = {}
   for _, name in ipairs{ "x", "y" } do

@@ -29,7 +29,7 @@ local function split(...)
 end
 
 -- Returns the titles of the curves: the user's titles, the settings in which the runs differ, or the cycles
--- at which the loops were computed. A single curve has only a title given by the user.
+-- at which the loops were computed. A single curve has a title only if the user set one.
 local function names_of(where, things, loops, titles)
   if titles or #things == 1 then return titles or {} end
   local runs, cycles = true, {}

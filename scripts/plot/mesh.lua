@@ -19,8 +19,8 @@ local function hole_of(object)
   end
 end
 
--- Returns the coordinates [mm] of the nodes along the wall of the hole and normal to it, and the radius [mm]
--- of the hole.
+-- Returns two coordinates [mm] of each node, one along the wall of the hole and one normal to it, and the
+-- radius [mm] of the hole.
 local function unrolled(where, object, x, y)
   local radius, side = hole_of(object)
   if not radius then check.fail(where, "field 'unrolled': expected a pair with a hole, got one without") end
@@ -37,7 +37,7 @@ local function axes_of(options)
   return "x / mm", "y / mm"
 end
 
--- Returns the elements without those that are cut when a round body is unrolled.
+-- Returns the elements, except elements that are cut when a round body is unrolled.
 local function uncut(elements, s, radius)
   local kept, n = {}, 0
   for e = 1, #elements, 4 do
@@ -236,8 +236,8 @@ local function add_polygons(field, x, y, values, elements, box)
 end
 
 -- Returns the box to show: the user's box, or a box of three half widths around the contact. Returns nil,
--- which shows both bodies completely, for zoom = "all", without a contact, or if both bodies are smaller than
--- this box.
+-- to show both bodies completely, if zoom is "all", if there is no contact, or if both bodies are smaller
+-- than this box.
 local function stress_view(contact, zoom, bodies)
   if type(zoom) == "table" then return zoom end
   local ok, a = pcall(function() return contact.half_width end)
@@ -283,7 +283,7 @@ local function largest_of(body, component, box)
   return most
 end
 
-local much = 3 -- above this ratio of the bodies' stresses, one body would have almost one colour
+local much = 3 -- if the stresses differ by a larger factor, one body would have almost one colour
 
 -- Returns label and range of the colour scale. If the stresses of one body are much larger, the range covers
 -- only the stresses of the other body, and the label states the larger maximum.

@@ -146,8 +146,7 @@ local function chosen(where, figure, given, moving)
   end
   local to = to_screen(where, figure, given, kind, moving)
   local size = given.size or output.default.size
-  -- If the program chose the output in the terminal, the size is in characters, else in the unit of the
-  -- output.
+  -- The size is in characters if the program chose the terminal output, else in the unit of the output.
   if size and not (to.shown_by and not given.term and not output.default.term) then
     to.width, to.height = size[1], size[2]
   elseif size then -- convert from characters to pixels

@@ -93,8 +93,8 @@ local function height_of(width, rows, columns, size)
   return math.min(highest, width / columns * 0.85 * rows + 8, highest_panel * rows + 8)
 end
 
--- Returns the numbers of rows and columns of panels in a file. Two stacked panels are drawn side by side,
--- because they would be flat; so are three panels if the style has a page width.
+-- Returns the numbers of rows and columns of panels in a file. Stacked panels, which would be too flat, are
+-- drawn side by side: up to two panels, or three if the style has a page width.
 function style.grid(rows, columns)
   local most = current.page and 3 or 2
   if columns == 1 and rows <= most and current.width ~= "column" then return 1, rows end

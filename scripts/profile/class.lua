@@ -159,8 +159,8 @@ end
 
 -- --- filter, mean, cut ------------------------------------------------------------------------------
 
--- Returns the mean step of x. Raises an error if a position differs by more than a twentieth of a step from
--- its even position.
+-- Returns the mean step of x. Raises an error if a point is more than a twentieth of a step from its evenly
+-- spaced position.
 function profile.even_step(where, p)
   local step = profile.step(p)
   for i = 2, #p.x do

@@ -175,9 +175,9 @@ end
 
 -- --- initial surface of a run --------------------------------------------------------------------------
 
--- Returns the list of initial depths [mm] of a run. Heights are converted to depths below the highest point.
--- In a profile of depths, negative values up to 5 times the scatter become 0; larger negative values
--- (piled-up material) are an error.
+-- Returns the list of initial depths [mm] of a run. Heights are converted to depths below the highest
+-- point. Negative depths in a profile of depths become 0, but a depth below -5 times the scatter (piled-up
+-- material) is an error.
 local function start_of(p)
   local h, top = {}, -math.huge
   if p.z then
@@ -188,8 +188,8 @@ local function start_of(p)
   local margin = 5 * math.max(p.error, p.scatter and p.scatter.deviation or 0)
   for i = 1, #p.h do
     if p.h[i] < -margin then
-      check.fail("profile", ("expected depths at most 5 times the scatter (%.3g um) above the form, got %.4g um "
-        .. "at x = %.4g mm; for piled-up material, start from the heights, or level beside the scar"):format(
+      check.fail("profile", ("expected no depth below -5 times the scatter (-%.3g um), got a depth of %.4g "
+        .. "um at x = %.4g mm; for piled-up material, start from the heights, or level beside the scar"):format(
         1000 * margin, 1000 * p.h[i], p.x[i]))
     end
     h[i] = math.max(0, p.h[i])

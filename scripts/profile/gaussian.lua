@@ -9,7 +9,7 @@ local fft = require "archard.profile.fft"
 
 local gaussian = { alpha = math.sqrt(math.log(2) / math.pi) }
 
-local reach = 2 -- range of the weights in cut-offs; weights outside are below 1e-24 of the central weight
+local reach = 2 -- half the range of the weights, in cut-offs; omitted weights are below 1e-24 of the largest
 
 -- Returns one-sided sums over the weights w at 0, 1, 2, ... steps as three lists: sums of w, of w u and of w
 -- u^2, with u = x / (alpha cutoff). ratio: alpha cutoff / step.

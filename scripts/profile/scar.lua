@@ -7,7 +7,7 @@ local noise = require "archard.profile.noise"
 local scar = {}
 
 local ends = 0.15   -- fraction of the trace at each end that is assumed to be unworn at first
-scar.margin = 0.2   -- margin on each side as a fraction of the scar's width; it may contain piled-up material
+scar.margin = 0.2   -- width of each margin, where material may pile up, as a fraction of the scar's width
 local least = 0.05  -- fraction of the trace at each end that is always treated as unworn
 local clear = 5     -- smallest depth of a scar, in multiples of the scatter
 local blocks = 500  -- largest number of groups of points in the search for a scar
@@ -37,8 +37,8 @@ local function beside(x, from, to)
     math.max(to, math.min(to + side, x[#x] - end_part)))
 end
 
--- Returns the positions of both ends of the scar, or nil if the deepest point is not below the threshold. The
--- ends are the first points on both sides of the deepest point that are not below the form.
+-- Returns the positions of both ends of the scar, or nil if the deepest point is not below the threshold.
+-- On each side of the deepest point, the end is the first point that is not below the form.
 local function reach(x, depth, threshold)
   local deepest = 1
   for i = 2, #x do if depth[i] > depth[deepest] then deepest = i end end

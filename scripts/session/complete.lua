@@ -87,8 +87,8 @@ local function chain_before(tokens, i)
   end
 end
 
--- Returns the frame of the open bracket "{" at token `i`. Its field `call` is the chain of the function that
--- is called with the table, its field `path` the names of the fields that contain the inner table.
+-- Returns the frame of the open bracket "{" at token `i`. The field `call` is the chain of the function
+-- that is called with the table; the field `path` has the names of the fields that contain an inner table.
 local function brace_frame(tokens, i, parent)
   local before = tokens[i - 1]
   local frame = { open = "{", used = {} }
@@ -159,8 +159,8 @@ local function raw_member(value, key)
   end
 end
 
--- Returns the value of a chain and the address of its help entry; each may be nil. The class of fields that
--- are computed on access is known from their help entries.
+-- Returns the value of a chain and the address of its help entry; each may be nil. Help entries state the
+-- class of fields that are computed on access.
 local function resolve(chain)
   local value = rawget(globals, chain[1])
   local address = value == nil and nil or class_of(value) or help.address_of(value)

@@ -24,7 +24,7 @@ local last
 
 local writers, readers = {}, {}
 
--- Saves a run under the number `id` of its case, which the file already contains.
+-- Saves a run in its case `id`, which the file already contains.
 function writers.wear(value, _, file, id) joint_file.save(file, id, value) end
 
 function readers.wear(_, file, id, functions) return joint_file.wear(file, id, functions) end
@@ -159,8 +159,8 @@ local function note_owners(cases)
   end
 end
 
--- Returns the class of a value. For a value that cannot be saved it returns the reason: "closed", or why a
--- contact cannot be created again.
+-- Returns the class of a value or, for a value that cannot be saved, the reason: "closed", or why a contact
+-- cannot be created again.
 local function reason(value, class)
   if (type(value) == "userdata" or class == "joint_wear") and tostring(value):find "%(closed%)$" then return "closed" end
   local kind, parts, why = kept.parts(value, class)
@@ -168,8 +168,8 @@ local function reason(value, class)
 end
 
 -- Returns the cases to write, in order: a table precedes its values, and an object with several names is
--- written once and then referred to by the number of its case. Also returns a list of the values that cannot
--- be saved; functions that are parts of results are not in it.
+-- written once and then referred to by the number of its case. Also returns a list of the values that
+-- cannot be saved, except functions in results.
 local function gather()
   local cases, left, number = {}, {}, {}
   own.visit(function(path, value, class, owner)
@@ -190,8 +190,8 @@ local function gather()
   return cases, left
 end
 
--- Calls a function of the store. Its errors are reported as errors of the user's call `where` and of the
--- global `name`.
+-- Calls a function of the store. An error is reported as an error of `where`, the user's call; the message
+-- begins with `name`, the global.
 local function as(where, name, f, ...)
   local results = table.pack(pcall(f, ...))
   if results[1] then return table.unpack(results, 2, results.n) end
@@ -400,8 +400,8 @@ local function refuse_loss(cases)
   for _, each in ipairs(own.unsaved()) do
     if new[each.path[1]] then
       local word, name = words[each.class] or words.result, each.path[1]
-      check.fail("session.open", ("%s is a %s that has not been saved, and the file has %s too: save it, "
-        .. "or set %s = nil"):format(own.spoken(each.path), word, name, name))
+      check.fail("session.open", ("%s is a %s that has not been saved, and the file contains another %s: "
+        .. "save it, or set %s = nil"):format(own.spoken(each.path), word, name, name))
     end
   end
 end

@@ -11,7 +11,7 @@ local debug, rawget, setmetatable, tostring, type = debug, rawget, setmetatable,
 
 local kept = {}
 
--- Names of the modules that define the metatables of the classes of results.
+-- Modules that define the metatables of results, by class.
 local modules = { calibration = "archard.study.calibrate", convergence = "archard.study.converge",
   failure = "archard.uncertainty.failure", fitted = "archard.fit.result", form = "archard.profile.form",
   fretting_map = "archard.study.fretting_map", map = "archard.map.made", profile = "archard.profile.made",

@@ -1,5 +1,5 @@
--- Question at the end of the prompt: save unsaved runs, results and contacts or not. cli/repl.c prints the
--- question and passes the answer to this module.
+-- Question at the end of the prompt, whether to save unsaved runs, results and contacts. cli/repl.c prints
+-- the question and passes the answer to this module.
 
 local own = require "archard.session.own"
 local session = require "archard.session.file"

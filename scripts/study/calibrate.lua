@@ -64,7 +64,7 @@ local function filled(count, value)
   return list
 end
 
--- Repeats the value of a list with a single value, so that both lists have equal lengths.
+-- If one list has a single value, repeats the value, so that both lists have equal lengths.
 local function even(cylinder, plate)
   local count = math.max(#cylinder, #plate)
   if #cylinder < count then cylinder = filled(count, cylinder[1]) end

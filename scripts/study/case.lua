@@ -1,5 +1,5 @@
 -- Class case: a case of a study with its settings and, after its run, its results, which are read from the
--- run file on first use. A case has those methods of a wear object that plots need.
+-- run file on first use. A case has the methods of a wear object that plots need.
 
 local check = require "archard.lib.check"
 local joint_bodies = require "archard.joint.bodies"

@@ -201,13 +201,13 @@ local function add_notes(notes, label, found)
     add(("%d increments are enough, and fewer were not tried"):format(found.increments))
   end
   if found.smooth then
-    add(("roughness up to %.1e was allowed, as runs with small steps on this mesh are four times as rough; a "
-      .. "finer mesh reduces it"):format(found.smooth))
+    add(("roughness up to %.1e was allowed, as runs with small steps on this mesh have four times "
+      .. "this roughness; a finer mesh reduces it"):format(found.smooth))
   end
   if not falls(found.roughnesses, function(value) return value end) then
-    add("among the jumps whose surfaces are too rough, a smaller jump was not always smoother: once ripples have "
-      .. "split the contact, their size does not depend on the jump, and the roughness caused by the mesh appears "
-      .. "at different distances in different runs")
+    add("among the jumps with too rough surfaces, a smaller jump did not always reduce the roughness: once "
+      .. "ripples have split the contact, their size does not depend on the jump, and the roughness caused by the "
+      .. "mesh appears at different distances in different runs")
   end
 end
 

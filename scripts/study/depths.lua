@@ -100,8 +100,8 @@ end
 
 -- --- all measurements ------------------------------------------------------------------------------
 
--- Raises an error if the sum of the depths simulated with the user's k differs from the measured sum by more
--- than the tolerance.
+-- Raises an error if, with the user's k, the sum of the simulated depths differs from the measured sum by
+-- more than the tolerance.
 local function refuse_k(found, sum)
   if math.abs(found.sum / sum - 1) <= agreement then return end
   check.fail(where, ("field 'k': with this k the sum of both depths is %.4g mm, but the measured sum is %.4g mm; "

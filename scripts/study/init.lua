@@ -141,8 +141,8 @@ local function read_shard(text)
   return function(id) return (id - tonumber(i)) % tonumber(n) == 0 end
 end
 
--- Makes the run of the first case, so that a value out of range is reported before any run starts. If a
--- program was killed while it wrote the file of a study, the study has no cases.
+-- Makes the run of the first case, so that a value out of range is reported before any run starts. A study
+-- has no cases, and is refused, if the program was killed while writing its file.
 local function try_first(self, where)
   if #self.flat == 0 then
     check.fail(where, ("%s has no cases: create the study again%s"):format(self.file or "the study",

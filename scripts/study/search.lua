@@ -11,12 +11,13 @@ local quiet = require "archard.lib.quiet"
 
 local limits = {
   pressure = 0.01,     -- largest error of the contact pressure, as a fraction of the Hertz pressure
-  -- largest oscillation of the pressure from node to node (sawtooth) in the middle of the contact, as a
-  -- fraction of p_center; the oscillation in a run with a small jump is subtracted
+  -- largest allowed oscillation of the pressure from node to node (sawtooth) in the middle of the contact,
+  -- as a fraction of p_center, minus the oscillation in a run with a small jump
   smooth = 0.005,
-  symmetric = 1e-3,    -- largest difference between a profile and its mirror image, as a fraction of the depth
-  -- largest difference between a profile and a profile computed with many increments per cycle, as a fraction
-  -- of the depth
+  -- largest allowed difference between a profile and its mirror image, as a fraction of the depth
+  symmetric = 1e-3,
+  -- largest allowed difference between a profile and a profile computed with many increments per cycle, as
+  -- a fraction of the depth
   profile = 0.005,
   updates = 100,       -- largest number of updates in a trial run
   first_depth = 1e-4,  -- depth of the first update at the initial guess of the jump, Eq. (28) [mm]
@@ -43,11 +44,11 @@ end
 -- Smallest number of elements across the contact. With fewer, the pressure agrees with Hertz only by chance.
 local fewest_elements = 8
 
--- Halves the element size until the largest pressure of the unworn contact agrees with Hertz within `limit`
--- at two successive sizes, the larger of which must have enough elements across the contact. Returns the list
--- of sizes tried, { size=, elements=, p_max=, error=, change= }, and the entry of the larger size, or nil if
--- no size was good. error: deviation from Hertz; change: change from the previous size; both relative to the
--- Hertz pressure.
+-- Halves the element size until, at two successive sizes, the largest pressure of the unworn contact agrees
+-- with Hertz within `limit`. The larger size must have enough elements across the contact. Returns the list
+-- of sizes tried, { size=, elements=, p_max=, error=, change= }, and the entry of the larger size, or nil
+-- if no size was good. error: deviation from Hertz; change: change from the previous size; both relative to
+-- the Hertz pressure.
 function search.mesh(given, limit, on_step)
   local m = given.model or {}
   local h = hertz_of(m, given.load)

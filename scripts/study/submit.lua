@@ -247,7 +247,7 @@ local function round(self, options, folder, whole, waiting)
   return job, left
 end
 
--- Returns those of the cases `asked` that have warnings, each as { id=, label=, message= }.
+-- Returns the cases in the list `asked` that have warnings, each as { id=, label=, message= }.
 local function warned_of(store, asked)
   local list = {}
   for _, case in ipairs(asked) do

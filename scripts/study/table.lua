@@ -53,7 +53,7 @@ local function bodies_of(study)
   return names or measure.bodies()
 end
 
--- Returns true if a finished case has a value, even if the value is NaN, or if no case is finished.
+-- Returns true if a finished case has a value (possibly NaN), or if no case is finished.
 local function is_measured(study, value_of)
   local finished = false
   for _, case in ipairs(study:cases()) do

@@ -36,10 +36,10 @@ local function known_deviations(c, p, work, err)
     alpha = total > 0 and math.sqrt(c * c + p * p) * err / total ^ 2 or nil }
 end
 
--- Computes k and alpha for an interval of the distance. cylinder, plate: volumes [mm3] lost in the interval,
--- one for each test; work: load times distance [N mm]. Returns { mean=, spread=, low=, high= }, each a table
--- by quantity. low and high are the confidence limits of the mean; they are empty for a single test without
--- `err`.
+-- Computes k and alpha for an interval of the distance. cylinder, plate: volumes [mm3] lost in the
+-- interval, one for each test; work: load times distance [N mm]. Returns { mean=, spread=, low=, high= },
+-- each a table by quantity. The tables low and high have the confidence limits of the mean; for a single
+-- test without `err` they are empty.
 function volumes.stretch(cylinder, plate, work, confidence, err)
   local c, p = statistics.mean(cylinder), statistics.mean(plate)
   local result = { mean = { k = (c + p) / work, k_cylinder = c / work, k_plate = p / work,

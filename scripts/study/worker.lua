@@ -1,8 +1,8 @@
--- Worker process of a study. It reads commands from standard input, one per line: "case ID" computes a case,
--- "store" stores all computed cases in the run file.
--- The worker prints "at ID SHARE" with the computed fraction of the case, "computed ID" when it is ready for
--- the next case, and after storing "done ID" or "failed ID TEXT". "warned ID TEXT" is printed before these
--- for a case with a warning, and "broken TEXT" if the run file cannot be written.
+-- Worker process of a study. It reads commands from standard input, one per line: "case ID" computes a
+-- case, "store" stores all computed cases in the run file. The worker prints "at ID SHARE" with the
+-- computed fraction of the case, "computed ID" when it is ready for the next case, and after storing "done
+-- ID" or "failed ID TEXT". A case with a warning first prints "warned ID TEXT". "broken TEXT" means that
+-- the run file cannot be written.
 
 local stores = require "archard.store"
 local files = require "archard.files"

@@ -12,9 +12,9 @@ end
 
 local function zero() return 0 end
 
--- Returns the stress normal to the surface on the axis, in archard and in CalculiX. The position is the
--- CalculiX node with the depth nearest to half the contact half width. Surface pressures are not compared,
--- because CalculiX extrapolates them, which is inaccurate on a worn surface.
+-- Returns the stress normal to the surface on the axis, in archard and in CalculiX. The stress is compared
+-- at the CalculiX node whose depth is nearest to half the contact half width. Surface pressures are not
+-- compared, because CalculiX extrapolates them, which is inaccurate on a worn surface.
 local function on_axis(c, axis, half, surface)
   local nearest = axis[1]
   for _, node in ipairs(axis) do

@@ -197,7 +197,7 @@ local function samples(count, geometry)
   line("bands and quantiles of these samples", string.format("%.2f", asked), "s")
 end
 
--- Measures the computation of sensitivities from a run and its repetitions with small changes.
+-- Measures the time to compute sensitivities from a run and its repetitions with small changes.
 local function sensitivities()
   for _, jump in ipairs{ 100, "auto" } do
     local w = wear{ jump = jump }
@@ -222,7 +222,7 @@ local function fitting()
   line(("a fit of k and alpha to a pair of profiles, %d runs"):format(found.runs), string.format("%.2f", seconds), "s", "5")
 end
 
--- Measures McColl's fretting case in gross slip with the published number of cycles.
+-- Measures the time of McColl's fretting case in gross slip with the published number of cycles.
 local function fretting()
   local w = wear{ model = { radius = 6, mesh = { size = 0.01, height = 0.01 } }, friction = 0.9, load = 18.5,
     stroke = 0.05, increments = 40, k_cylinder = 1.9e-8, k_plate = 2.9e-8, cycles = 18000, jump = "auto" }
@@ -231,9 +231,9 @@ local function fretting()
   line(string.format("McColl's 18000 cycles, 10 um, %d increments", w.solutions), string.format("%.2f", seconds), "s", "10")
 end
 
--- Measures runs of the paper's pair of bodies, defined by model{}, by body.cylinder{} and body.block{}, and
--- by a Gmsh file of the same mesh. The Gmsh mesh has no wear box, so its unknowns are eliminated in another
--- order, and no half stroke is computed as a mirror image.
+-- Measures the times of runs of the paper's pair of bodies, defined by model{}, by body.cylinder{} and
+-- body.block{}, and by a Gmsh file of the same mesh. The Gmsh mesh has no wear box, so its unknowns are
+-- eliminated in another order, and no half stroke is computed as a mirror image.
 local function general_paths()
   local text = export.msh(model{ radius = 10 })
   model{ radius = 9 } -- replaces the cached model, so that the next one is built completely
@@ -274,8 +274,8 @@ local function general_paths()
   end
 end
 
--- Measures a million cycles of walking with 400 contact solutions: a metal joint with wear of both bodies,
--- and a joint with wear of the liner.
+-- Measures the time of a million cycles of walking with 400 contact solutions, for a metal joint with wear
+-- of both bodies and for a joint with wear of the liner.
 local function joints()
   io.write("\nball joints, 1e6 cycles of walking\n")
   local function walk(what, goal, definition, k, alpha)
@@ -293,8 +293,8 @@ local function joints()
   walk("the liner with a Winkler foundation", "0.1", liner, 1e-9, 0)
 end
 
--- Measures half-spaces in three dimensions: contacts that fill most of a square of cells, increments with
--- friction, and time and memory of wear runs.
+-- Measures half-spaces in three dimensions: the time of contacts that fill most of a square of cells and of
+-- increments with friction, and the time and memory of wear runs.
 local function half_spaces(quick)
   io.write("\nhalf-spaces in three dimensions\n")
   local half = hertz{ geometry = "3-D", load = 10 }.half_width

@@ -4,10 +4,10 @@
 --
 --   archard scripts/tools/schemes.lua [size in um ...]      default: 20, 10 and 5
 --
--- The errors in a row are those of the worst of the five cases: the largest error at any stored update, and
--- the error at the end. The reference of a case is extrapolated from two explicit runs, with a fifth and a
--- tenth of Table 1's cycles per update, and interpolated at the distances of the updates. The cycles per
--- update are proportional to the element size, because ripples grow faster on finer meshes.
+-- A row has the largest errors of its five cases: at any stored update, and at the end. The reference of a
+-- case is extrapolated from two explicit runs, with a fifth and a tenth of Table 1's cycles per update, and
+-- interpolated at the distances of the updates. The cycles per update are proportional to the element size,
+-- because ripples grow faster on finer meshes.
 
 local at = require "archard.lib.history_at"
 local paper = require "archard.study.paper"

@@ -77,14 +77,15 @@ local function of_couple(run, name, definition)
   end
 end
 
--- Returns the value at a path, or nil. If a body has no radius, its path "radius" has the radius of the
--- model.
+-- Returns the value at a path, or nil. For a body without its own radius, the path "radius" means the
+-- radius of the model.
 local function value_at(flat, path)
   return flat[path] or path:match("%.radius$") and flat["model.radius"]
 end
 
--- Returns the value of a number of the model, and a function that returns the definition with a new value. A
--- name without a body, such as "E", may mean both bodies. Both values, which must be equal, are then changed.
+-- Returns the value of a number of the model, and a function that returns the definition with a new value.
+-- A name without a body, such as "E", may mean both bodies. Their values must then be equal, and both are
+-- changed.
 local function of_model(run, name, definition)
   local flat, paths = definition.flat, number.paths(name, definition.flat)
   local there = value_at(flat, paths[1])

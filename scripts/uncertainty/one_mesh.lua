@@ -51,7 +51,7 @@ local function find_size(sample, flat)
 end
 
 -- Sets a common element size in the flat settings of all cases. Changes nothing if the contacts differ too
--- much for one size. Also changes nothing if a case is invalid; the error is reported when the case runs.
+-- much for one size. If a case is invalid, nothing changes either; its run then reports the error.
 return function(sample, flat)
   local matters = false
   for _, field in ipairs(sample.fields) do matters = matters or may_change(field.name) end

@@ -109,8 +109,9 @@ local function run_to(definition, distances, names)
   return list
 end
 
--- Repeats a run. Returns one flat list with the values of each column at the distances [mm]; the repeated run
--- ends a step at each distance. Warnings are suppressed, because the original run has already reported them.
+-- Repeats a run. Returns one flat list with the values of each column at the distances [mm]; a step of the
+-- repeated run ends at each distance. Warnings are suppressed, because the original run has already
+-- reported them.
 function repeated.run(definition, distances, names)
   return quiet(run_to, definition, distances, names)
 end

@@ -22,8 +22,8 @@ end
 -- Returns half the width of a two-sided confidence interval, in standard deviations of a normal distribution.
 function sampled.reach(confidence) return random.normal_quantile((1 + confidence) / 2) end
 
--- Returns the two samples that are the limits of the confidence interval of the quantile at the probability
--- `share`, computed from the binomial distribution of the ranks. reach: see sampled.reach.
+-- Returns the confidence interval of a quantile as two samples, whose ranks follow from the binomial
+-- distribution. share: probability of the quantile; reach: see sampled.reach.
 function sampled.quantile_range(sorted, share, reach)
   local n = #sorted
   local margin = reach * math.sqrt(n * share * (1 - share))

@@ -107,9 +107,9 @@ local function with_parts(self, value, set, h, parts)
   end)(h)
 end
 
--- Numbers of parts into which refined runs divide each step. The error of a derivative that automatic steps
--- cause is corrected by runs with divided steps. The remaining error is estimated as twice the change by the
--- last halving plus a quarter of the correction.
+-- Refined runs divide each step into these numbers of parts, to correct the error that automatic steps
+-- cause in a derivative. The remaining error is estimated as twice the change from the last halving, plus a
+-- quarter of the correction.
 local coarse_parts, fine_parts = 4, 8
 
 local function step_error(whole, coarse, fine)
@@ -202,8 +202,8 @@ local function elastic(derivative, value, result)
   return derivative == 0 and 0 or derivative * value / result
 end
 
--- Stores derivatives and elasticities in self[column][name]. there: results and their errors, in the order of
--- `found`.
+-- Stores derivatives and elasticities in self[column][name]. found: derivatives; there: results of the run;
+-- both with errors, in the same order.
 local function into_columns(self, name, value, found, there)
   local n = #self.distance
   for c, column in ipairs(self.of) do

@@ -38,10 +38,10 @@ local doubt = 2
 
 local rounding = 1e-10 -- a relative scatter below this limit is rounding error
 
--- Returns { value =, error =, middle =, scatter =, ripple = }: slope and its error, fitted result at the
--- point 0, scatter of the results about the fit, and scatter of the slopes between neighbouring points
--- divided by the slope. points: evenly spaced numbers from -1 to 1, or on one side of 0 only; values: result
--- at each point.
+-- Returns { value =, error =, middle =, scatter =, ripple = }: value and error of the slope, fitted result
+-- in the middle (at the point 0), scatter of the results about the fit, and ripple: the scatter of the
+-- slopes between neighbouring points, divided by the slope. points: evenly spaced numbers from -1 to 1, or
+-- on one side of 0 only; values: result at each point.
 return function(points, values)
   local even, even_error, _, middle = polynomial(points, values, 2)
   local cubic, cubic_error, scatter = polynomial(points, values, 3)

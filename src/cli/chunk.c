@@ -46,7 +46,7 @@ static size_t without(const char *text, size_t length, const char *foot) {
   return length >= tail && strncmp(text + length - tail, foot, tail) == 0 ? length - tail : length;
 }
 
-/* Returns the length of a traceback without those last lines that are frames of this program. */
+/* Returns the length of a traceback without the frames of this program at its end. */
 static size_t without_foot(const char *text) {
   size_t length = without(text, strlen(text), "\n\t[C]: in ?");
   return without(text, length, "\n\t(...tail calls...)");

@@ -6,9 +6,9 @@
 
 typedef enum run_status { RUN_OK, RUN_FAILED, RUN_INTERRUPTED } run_status;
 
-/* Calls the function that is on the stack below its `arguments` values, as lua_call does. On
- * failure it removes the function from the stack, prints the message and the traceback on
- * standard error, and clears a pending interrupt. */
+/* Works like lua_call for the function on the stack below its arguments, whose number is
+ * `arguments`. On failure removes the function, prints the message and the traceback on standard
+ * error, and clears a pending interrupt. */
 run_status run_call(lua_State *L, int arguments, int results);
 
 /* Pops the error value on top of the stack and prints it, as run_call does after a failure. Used

@@ -58,8 +58,8 @@ static char *next_word(const char *text, int state) {
   return NULL;
 }
 
-/* Generates names of files for readline, without names that would end the Lua string or contain
- * control characters. */
+/* Generates file names for readline. Omits names that contain control characters or would end the
+ * Lua string. */
 static char *next_file(const char *text, int state) {
   for (;;) {
     char *file = rl_filename_completion_function(text, state);

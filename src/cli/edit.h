@@ -11,15 +11,15 @@ typedef enum edit_result { EDIT_LINE, EDIT_INTERRUPTED, EDIT_END } edit_result;
 
 /* Possible completions of the text before the cursor. */
 typedef struct edit_proposal {
-  char **words; /* `count` strings; the editor frees the array and the strings, which are from
-                   malloc */
+  char **words; /* `count` strings; malloc allocates the array and the strings, the editor frees
+                   them */
   size_t count;
   int files;   /* true: file names are completed instead of words */
   char append; /* character appended if there is only one completion; '\0' for none */
 } edit_proposal;
 
-/* Function that adds completions of the text before the cursor to `proposal`, which is initially
- * zero. The words complete the identifier or string at the end of this text. */
+/* Function that adds completions to `proposal`, which is initially empty. Each word completes the
+ * identifier or string at the end of the text before the cursor. */
 typedef void (*edit_complete_fn)(void *context, const char *before, edit_proposal *proposal);
 
 /* Initialises the editor and reads the history file. */

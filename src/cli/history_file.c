@@ -18,8 +18,8 @@
 #include <time.h>
 #include <unistd.h>
 
-/* An entry of the history. The pointers to its header "#TIME" and to its text refer to the text
- * of the file. */
+/* An entry of the history. Its header (the line "#TIME") and its text point into the text of the
+ * file. */
 typedef struct entry {
   char *header, *text;
   int position, copy; /* position: index of the entry in the file; copy: true if a later entry
@@ -70,8 +70,8 @@ char *history_file_open(void) {
   return path;
 }
 
-/* Waits for the lock of the folder, but not longer than 2 s in all: then the history is used
- * without a lock, so that a program which keeps the lock cannot stop the prompt. */
+/* Waits for the lock of the folder. All waits together last at most 2 s; then the history is used
+ * without a lock, so that another program cannot block the prompt. */
 static void wait_for_lock(int descriptor) {
   static int tries = 100;
   const struct timespec moment = {0, 20000000};
@@ -101,7 +101,7 @@ static int is_header(const char *line) {
   return digits > 0 && (line[1 + digits] == '\n' || line[1 + digits] == '\0');
 }
 
-/* Returns true if a line is a header after removal of the backslashes at its beginning. */
+/* Returns true if the line, without the backslashes at its beginning, is a header. */
 static int looks_like_header(const char *line) {
   return is_header(line + strspn(line, "\\"));
 }
@@ -249,8 +249,8 @@ static int mark_copies(history *self) {
   return kept;
 }
 
-/* Counts backwards over the entries that are not copies. Returns the index of the entry at which
- * the count is `limit`, or 0 if there are fewer entries. */
+/* Returns the index of the oldest of the last `limit` entries that are not copies, or 0 if there
+ * are fewer such entries. */
 static int first_kept(const history *self, int limit) {
   int i = self->count;
   while (i > 0 && limit > 0) limit -= !self->entries[--i].copy;

@@ -15,9 +15,8 @@ char *history_file_open(void);
 
 void history_file_append(const char *path, const char *entry);
 
-/* Calls `found` (may be NULL) for at most the last `limit` entries, oldest first. A repeated
- * text is reported once, at its latest position. If the file has further entries, it is
- * rewritten without them. */
+/* Calls `found` (may be NULL) for each of the last `limit` entries, oldest first. A repeated text
+ * is reported once, at its latest position. All other entries are removed from the file. */
 void history_file_read(const char *path, int limit, history_entry_fn found, void *context);
 
 #endif

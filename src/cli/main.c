@@ -238,8 +238,8 @@ static int exit_status(run_status status) {
   return status == RUN_OK ? EXIT_DONE : EXIT_ERROR;
 }
 
-/* Returns the exit status after the finalizers, which run after the script under the same
- * limits. If a finalizer exceeded a limit, the result is the status of a failure. */
+/* Returns the exit status after the finalizers, which run after the script under the same limits: a
+ * failure if a finalizer exceeded a limit, otherwise `status`. */
 static int finalizers_status(int status) {
   if (status != EXIT_DONE || !interrupt_exceeded()) return status;
   fprintf(stderr, "archard: %s\n", interrupt_exceeded());
@@ -270,8 +270,8 @@ static int close_output(int status) {
   return status == EXIT_DONE ? EXIT_ERROR : status;
 }
 
-/* Ends the program by _exit if a computation was stopped, because this computation may still run
- * on its thread. It would crash when exit() closes the libraries that it uses. */
+/* Ends the program by _exit if a computation was stopped. The thread of this computation may still
+ * run, and would crash when exit() closes the libraries that it uses. */
 static void leave_at_once(int status, void *unused) {
   (void)unused;
   if (!interrupt_ever()) return;

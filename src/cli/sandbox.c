@@ -127,7 +127,7 @@ int sandbox_confine(const sandbox *self, const char *script, char **argv) {
                          self->memory * mebi};
   set_environment(here);
   int missing = arc_jail_enter(&jail);
-  /* without `strict` the limit of processes may be missing, because there are few workers */
+  /* without `strict`, a missing limit of processes is accepted, because few workers run */
   if (!self->strict) missing &= ~ARC_JAIL_PROCESSES;
   report_missing(missing);
   if (missing && self->strict) return 0;

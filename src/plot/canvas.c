@@ -6,9 +6,9 @@
 
 #include "plot/figure.h"
 
-/* A kind of canvas: a file format and a terminal of gnuplot that produces it. `text` is true for
- * pictures in characters, `vector` for vector formats. Font sizes are in the unit of the terminal,
- * for 100 pixels per inch. */
+/* A kind of canvas: a file format and the gnuplot terminal that produces files in this format.
+ * `text` is true for pictures in characters, `vector` for vector formats. Font sizes are in the
+ * unit of the terminal, for 100 pixels per inch. */
 typedef struct kind {
   const char *ending, *terminal, *options, *family;
   double points, unit; /* default font size; size of one point [terminal units] */
@@ -75,7 +75,8 @@ static int at_least(int value, int least) {
   return value > least ? value : least;
 }
 
-/* Sets the size that the user chose, or else the smallest size at which the panels are legible. */
+/* Sets the size of the canvas: the size that the user chose, or else the smallest size at which the
+ * panels are legible. */
 static void choose_size(const arc_plot_figure *figure, const arc_plot_output *output,
                         arc_canvas *canvas) {
   int rows, columns;
@@ -165,8 +166,8 @@ static void letter_words(const arc_canvas *canvas, arc_text *script) {
   arc_text_free(&word);
 }
 
-/* Writes the scale of lines and marks. It is written for each picture, because a terminal reuses
- * its last settings. Only cairo terminals have a scale of marks. */
+/* Writes the scale of lines and marks for each picture, because a terminal otherwise reuses its
+ * last settings. Only cairo terminals have a scale of marks. */
 static void scale_words(const arc_canvas *canvas, arc_text *script) {
   if (canvas->text) return;
   arc_text_format(script, " linewidth %.4g", canvas->scale);

@@ -116,8 +116,8 @@ static void set_dots(const screen *dots, size_t row, size_t column, cell *to) {
   set_cell(to, mark ? mark : braille, pattern ? 3 : 0, colour);
 }
 
-/* Returns true if the cell is part of the frame and has a mark of a curve. Such a mark replaces the
- * frame in the cell, but a line of a curve does not. */
+/* Returns true if the cell is part of the frame and has a mark of a curve. A mark replaces the
+ * frame in such a cell, but a line of a curve does not. */
 static int is_point_on_frame(const screen *dots, const cell *c, size_t row, size_t column) {
   int found = 0;
   if (c->colour != NO_COLOUR || !strchr("|+-", *c->bytes)) return 0;

@@ -7,8 +7,8 @@
 
 #include "plot/figure.h"
 
-/* Extensions of an axis as fractions of its range: BEYOND at an end that the user set, MARGIN at an
- * automatic end. */
+/* Extension of an axis as a fraction of its range: BEYOND where the user set the end of the range,
+ * MARGIN where the end is automatic. */
 static const double BEYOND = 0.025, MARGIN = 0.04;
 
 /* Returns the reversed axis without the flag `reverse`: its first end is larger than its second. */
@@ -44,8 +44,8 @@ static void positive_reach(const arc_plot_panel *panel, int along, double *low, 
     }
 }
 
-/* Sets both ends of a logarithmic axis for values from `low` to `high`. Ends that the user set
- * are kept. */
+/* Sets both ends of a logarithmic axis for values from `low` to `high`. An end that the user set is
+ * not changed. */
 static void set_log(arc_plot_axis *axis, double low, double high) {
   if (!(low <= high) || (!isnan(axis->min) && !isnan(axis->max))) return;
   double from = step_below(low), to = step_above(high);

@@ -96,8 +96,8 @@ static double spacing_of(const numbers *n, const corner t[3]) {
   return n->step / hypot(along_x * width, along_y * height);
 }
 
-/* Returns the smallest distance of `p` to the frame and to other numbers. Distances to numbers
- * are halved, because each of the two numbers needs half of the space. */
+/* Returns the smallest distance of `p` to the frame and to other numbers. A distance to another
+ * number is halved, because both numbers need half of the space. */
 static double clearance_of(const numbers *n, corner p) {
   const double width = n->box->x1 - n->box->x0, height = n->box->y1 - n->box->y0;
   const double u = (p.x - n->box->x0) / width, v = (p.y - n->box->y0) / height;

@@ -14,8 +14,7 @@
 #include "plot/picture.h"
 
 static const char at_rest[] = "unset multiplot\nset output\nreset\nundefine $*\n";
-/* Resets gnuplot between figures. `reset` clears gnuplot's error number, so the number is saved
- * before the reset. */
+/* Resets gnuplot between figures. First saves gnuplot's error number, because `reset` clears it. */
 static const char anew[] = ARC_GNUPLOT_NOTE_FAILURE "reset\nundefine $*\n";
 
 static arc_status no_memory(arc_error *error) {

@@ -94,7 +94,7 @@ static int inside(const arc_plot_axis *axis, double value) {
   return isfinite(value) && !(value < low) && !(value > high);
 }
 
-/* Returns a text with the reason why a curve cannot be drawn, or NULL if it can be drawn. */
+/* Returns, as a text, the reason why a curve cannot be drawn, or NULL if it can be drawn. */
 static const char *no_points(const arc_plot_panel *panel, const arc_plot_curve *curve) {
   arc_plot_axis open_x = panel->x, open_y = panel->y;
   open_x.min = open_x.max = open_y.min = open_y.max = NAN;

@@ -17,7 +17,7 @@ typedef struct arc_canvas {
   int width, height; /* size in characters or pixels */
   double columns, rows; /* size of the canvas in characters of the font */
   int fine, dots; /* fine: curves are drawn as Braille dots; dots: this canvas is only for the dots,
-                     and another canvas is for axes and text */
+                     while another canvas is for axes and texts */
   double points;  /* font size in the unit of gnuplot's terminal */
   double scale;   /* scale of lines and marks */
   double inch;    /* pixels per inch */
@@ -123,9 +123,9 @@ double arc_labels_width(const arc_plot_panel *panel);
 void arc_labels_write(arc_writer *w, const arc_plot_panel *panel, const arc_plot_box *box,
                       double rows);
 
-/* Computes the range of the colour scale of curves: their smallest and largest values. Ends that
- * the user set in the panel's value axis replace these values. Returns 0 if no curve is coloured by
- * its value, or for pictures in characters. */
+/* Computes the range of the colour scale of curves: their smallest and largest values. If the user
+ * set an end of the panel's value axis, it replaces the corresponding value. Returns 0 if no curve
+ * is coloured by its value, or for pictures in characters. */
 int arc_look_scale(const arc_writer *w, const arc_plot_panel *panel, double range[2]);
 
 /* Returns the colour number (from 1) of the curve at index `position` of its panel. */
@@ -183,8 +183,8 @@ void arc_look_draw_key(arc_writer *w);
  * curve. */
 void arc_data_curve(const arc_plot_panel *panel, const arc_plot_curve *curve, arc_text *script);
 
-/* Returns the extent of a panel's data. Ends of a range that the user set replace the ends of the
- * data. */
+/* Returns the extent of a panel's data. If the user set an end of a range, it replaces the end of
+ * the data. */
 arc_plot_box arc_plot_extent(const arc_plot_panel *panel);
 
 /* Extends the axes slightly if a curve runs along the frame. Extends automatic ends of logarithmic
@@ -195,8 +195,8 @@ void arc_plot_clear(const arc_canvas *canvas, arc_plot_panel *panel);
  * not changed. */
 void arc_plot_share(arc_plot_panel *panels, size_t count);
 
-/* Computes the range of the field's values inside the box. Ends that the user set in the panel's
- * value axis replace the ends of this range. */
+/* Computes the range of the field's values inside the box. If the user set an end of the panel's
+ * value axis, it replaces the end of this range. */
 void arc_field_range(const arc_plot_panel *panel, const arc_plot_box *box, double range[2]);
 
 /* Returns a round step for about `levels` contour lines in a range. Contour lines are at multiples
@@ -204,9 +204,9 @@ void arc_field_range(const arc_plot_panel *panel, const arc_plot_box *box, doubl
 double arc_field_step(const double range[2], int levels);
 
 /* Writes contour lines as rows of segments, and their numbers as rows x, y, value. Each contour
- * line has at most one number. A number is at least 1.3 text rows away from the frame and from the
- * next contour line or number; `rows` is the height of the frame in text rows. Returns the number
- * of segments. */
+ * line has at most one number. The distance of a number from the frame and from the next contour
+ * line or number is at least 1.3 text rows; `rows` is the height of the frame in text rows. Returns
+ * the number of segments. */
 size_t arc_field_contours(const arc_plot_field *field, const arc_plot_box *box,
                           const double range[2], int levels, double rows, arc_text *lines,
                           arc_text *labels);

@@ -4,7 +4,8 @@
 
 #include "plot/figure.h"
 
-/* A curve with a title. `height` is the height of the title as a fraction of the frame's height. */
+/* A curve with a title. `height` is the position of the title above the lower edge of the frame, as
+ * a fraction of the frame's height. */
 typedef struct label {
   size_t curve;
   double height;
@@ -26,8 +27,8 @@ static double share(const arc_plot_axis *axis, double low, double high, double v
   return axis->reverse ? 1 - place : place;
 }
 
-/* Returns the height of the last point of the curve inside the frame, as a fraction of the
- * frame's height. */
+/* Returns the height of the curve's last point inside the frame: above the frame's lower edge, as a
+ * fraction of the frame's height. */
 static double height_of(const arc_plot_panel *panel, const arc_plot_curve *curve,
                         const arc_plot_box *box) {
   double low = fmin(box->x0, box->x1), high = fmax(box->x0, box->x1), height = 0.5;

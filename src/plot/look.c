@@ -195,8 +195,8 @@ double arc_look_own_key_rows(const arc_writer *w, const arc_plot_panel *panel) {
 /* --- curves ----------------------------------------------------------------------------------- */
 
 /* Colour and dash pattern of a curve, as numbers from 1. Each of the first eight curves has its own
- * colour and pattern; further curves combine the colours with other patterns. In pictures of
- * characters other marks replace the dash patterns. */
+ * colour and pattern; further curves combine the colours with other patterns. Pictures of
+ * characters have different marks instead of dash patterns. */
 typedef struct pen {
   int series, dash;
 } pen;
@@ -216,8 +216,8 @@ int arc_look_colour(const arc_writer *w, const arc_plot_curve *curve, size_t pos
   return pen_of(w, curve, position).series;
 }
 
-/* Returns true if a filled curve is closed, such as the outline of a band. Any other filled curve
- * has an area that extends down to zero. */
+/* Returns true if a filled curve is closed, such as the outline of a band. The area of any other
+ * filled curve extends down to zero. */
 static int comes_back(const arc_plot_curve *curve) {
   int there = 0, back = 0;
   for (size_t i = 1; i < curve->count; i++) {

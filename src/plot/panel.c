@@ -184,8 +184,8 @@ static void ground_words(arc_writer *w, const arc_plot_panel *panel) {
 
 /* --- field ------------------------------------------------------------------------------------ */
 
-/* Returns the distance between the numbers of a colour scale that is as high as the box and has no
- * contour lines; 0: gnuplot chooses the distance. */
+/* Returns the distance between the numbers of a colour scale as high as the box, without contour
+ * lines. Returns 0 if gnuplot chooses the distance. */
 static double scale_step(const arc_writer *w, const arc_plot_panel *panel, const arc_plot_box *box,
                          const arc_plot_frame *frame, const double range[2]) {
   static const double enough = 14; /* [rows] from this height on gnuplot chooses the distance */

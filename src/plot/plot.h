@@ -42,10 +42,10 @@ void arc_gnuplot_close(arc_gnuplot **session);
  * or ended at once; ARC_STOPPED. */
 arc_status arc_gnuplot_start(arc_gnuplot *session, arc_error *error);
 
-/* Return the version and the terminals of the running gnuplot; before the first start 0 and "". The
- * names of the terminals are separated by blanks, with a blank before the first name and after the
- * last name. The text is valid until the next start or close. arc_gnuplot_has_terminal returns true
- * if `name` is among the terminals. */
+/* Return the version and the terminals of the running gnuplot; before the first start these are 0
+ * and "". The names of the terminals are separated by blanks, with a blank before the first name
+ * and after the last name. The text is valid until the next start or close.
+ * arc_gnuplot_has_terminal returns true if `name` is among the terminals. */
 double arc_gnuplot_version(const arc_gnuplot *session);
 const char *arc_gnuplot_terminals(const arc_gnuplot *session);
 int arc_gnuplot_has_terminal(const arc_gnuplot *session, const char *name);

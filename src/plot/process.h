@@ -20,7 +20,7 @@ typedef struct arc_process {
  * ARC_MISSING if there is no such program, ARC_IO for any other failure. */
 arc_status arc_process_start(arc_process *process, char *const argv[], arc_error *error);
 
-/* Largest size of a reply and the output on standard error together [bytes]. */
+/* Largest total size of a reply and the output on standard error [bytes]. */
 enum { ARC_EXCHANGE_MOST = 64 << 20 };
 
 /* A request to a process, and its reply. */

@@ -36,7 +36,7 @@ void arc_text_enhanced(arc_text *text, const char *words);
 size_t arc_text_characters(const char *words);
 
 /* Returns the number of bytes in the first line of a text that is wrapped at `columns` characters.
- * Lines end at a blank, if possible at a blank after a comma, colon or semicolon. */
+ * A line ends at a blank, preferably one after a comma, colon or semicolon. */
 size_t arc_text_line(const char *words, double columns);
 
 void arc_text_free(arc_text *text);

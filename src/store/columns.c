@@ -77,9 +77,9 @@ static void put_results(FILE *to) {
   }
 }
 
-/* Settings whose column has another name, because the name of the setting is also the name of a
- * result or a keyword of SQL or, for settings of the model, the name of a setting of the run.
- * Each row contains the prefix, the setting and the column. */
+/* Settings whose column has another name, because the setting's name is already the name of a
+ * result, a keyword of SQL or, for a setting of the model, the name of a setting of the run. Each
+ * row contains the prefix, the setting and the column. */
 static const char *const renamed[][3] = {{"", "distance", "total_distance"},
                                          {"", "update", "update_at"},
                                          {"", "order", "scheme_order"},
@@ -224,8 +224,8 @@ static const struct {
              {"@settings", put_settings}, {"@bytes", put_bytes},   {"@numbers", put_numbers},
              {"@units", put_units}};
 
-/* If `text` begins with one of the words to be replaced, appends the replacement. Otherwise
- * appends the first character. Returns the number of characters of `text` that were processed. */
+/* If `text` begins with one of the words to be replaced, appends the replacement, otherwise the
+ * first character of `text`. Returns the number of characters of `text` that were processed. */
 static size_t put_part(FILE *to, const char *text) {
   for (size_t p = 0; p < COUNT(parts); p++) {
     size_t length = strlen(parts[p].word);

@@ -14,8 +14,8 @@ arc_status arc_store_damaged(const arc_store *store, arc_error *error, int id, c
   return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: case %d %s", store->path, id, what);
 }
 
-/* Reports an error that the engine found in the data of a case as damage of the file. An error
- * that can also occur with an intact file keeps its status. */
+/* If the engine finds an error in the data of a stored case, reports that the file is damaged. An
+ * error that can also occur with an intact file keeps its status. */
 arc_status arc_store_refused(const arc_store *store, arc_error *error, int id,
                              const arc_error *why) {
   switch (why->status) {

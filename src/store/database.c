@@ -37,7 +37,7 @@ static arc_status status_of(int code) {
   case SQLITE_CORRUPT:
   case SQLITE_NOTADB:
   case SQLITE_PERM:  /* only from open_guarded, for a file that is not safe */
-  case SQLITE_ERROR: /* a table or column is missing in the file; the SQL is correct */
+  case SQLITE_ERROR: /* the program's SQL is correct, so the file lacks a table or column */
   case SQLITE_AUTH:
   case SQLITE_TOOBIG:
   case SQLITE_INTERRUPT: /* the query exceeded its limit of instructions */
@@ -337,7 +337,7 @@ static arc_status attach(database *db, const char *path, arc_error *error) {
   return status;
 }
 
-/* Attaches another database. The content of a temporary copy, which has no path, is copied
+/* Attaches another database. If it is a temporary copy, which has no path, its content is copied
  * instead. The attached file is only read, and its journal is in memory. With a journal file,
  * SQLite would treat a change as a change of two files and record it in a third file. */
 arc_status arc_database_attach(database *db, const database *other, arc_error *error) {

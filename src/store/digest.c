@@ -169,8 +169,9 @@ arc_status arc_store_seal_changed(arc_store *store, arc_error *error) {
 
 /* --- comparing checksums ---------------------------------------------------------------------- */
 
-/* These queries return the checksum of a case, and 1 if the case must have a checksum, otherwise
- * 0. of_run is used before a run is read and also requires a checksum for data without a case. */
+/* Each of these queries returns two columns: the checksum of a case, and 1 if the case must have a
+ * checksum, otherwise 0. The query of_run, for reading a run, also requires a checksum for data
+ * without a case. */
 static const char of_case[] = "SELECT checksum, status = 'done' FROM cases WHERE id = ?1";
 static const char of_run[] =
     "SELECT checksum, " NEEDS_ONE " FROM cases WHERE id = ?1 UNION ALL SELECT NULL, 1 FROM "

@@ -68,9 +68,9 @@ static arc_status check_same_results(arc_store *store, const char *from, arc_err
   "DELETE FROM main." table NEW "; INSERT INTO main." table " (" columns ") SELECT " columns       \
   " FROM other." table NEW
 
-/* Replaces the data of unfinished cases by the data of cases that are finished in the other
- * file, and copies the status of cases that are not waiting there. The checksums are computed
- * again, because the columns of the other file may have another order. */
+/* Replaces the data of unfinished cases by the data of cases that are finished in the other file.
+ * Copies the status of cases that are not waiting in the other file. The checksums are computed
+ * again, because the other file may have its columns in another order. */
 static arc_status copy_finished(arc_store *store, const char *from, arc_error *error) {
   static const char *const steps[] = {
       "INSERT OR IGNORE INTO main.texts (name, text) SELECT name, text FROM other.texts",
@@ -89,9 +89,9 @@ static arc_status copy_finished(arc_store *store, const char *from, arc_error *e
   for (size_t i = 0; i < sizeof steps / sizeof *steps && status == ARC_OK; i++)
     status = arc_store_script(store, steps[i], error);
   if (status != ARC_ARGUMENT) return status;
-  return arc_fail(error, ARC_FORMAT,
-                  "%s: the file is damaged: it has a row of a case twice, or a row without a case",
-                  from);
+  return arc_fail(
+      error, ARC_FORMAT,
+      "%s: the file is damaged: a row of a case occurs twice, or a row belongs to no case", from);
 }
 
 static arc_status merge_attached(arc_store *store, const char *from, arc_error *error) {

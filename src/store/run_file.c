@@ -94,8 +94,8 @@ const char *arc_store_path(const arc_store *store) {
 static arc_status check_left(const arc_store *store, arc_error *error) {
   if (!arc_journal_stands(store->file) || access(store->file, F_OK) == 0) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
-                  "%s: not created: beside it is %s-journal, the journal of a file that no longer "
-                  "exists; remove it",
+                  "%s: not created, because %s-journal is the journal of a file that no longer "
+                  "exists; remove this journal",
                   store->path, store->path);
 }
 

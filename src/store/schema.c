@@ -130,8 +130,8 @@ static const struct migration {
      "ALTER TABLE surfaces RENAME TO older_surfaces;"
      "ALTER TABLE state RENAME TO older_state;" MAKE_ARRAYS,
      to_arrays},
-    /* In format 5, "auto" was a separate value, and a 2-D case without jump, tolerance and
-     * scheme had 100 cycles per update. */
+    /* In format 5, the jump "auto" was a separate value, and the jump of a 2-D case without jump,
+     * tolerance and scheme was 100 cycles. */
     {5, "",
      "UPDATE definition SET value = 0.0 WHERE name = 'jump' AND EXISTS (SELECT 1 FROM definition d"
      "  WHERE d.case_id = definition.case_id AND d.name = 'jump_auto' AND d.value <> 0);"

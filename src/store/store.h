@@ -98,12 +98,12 @@ arc_status arc_store_open_seal(arc_store *store, int id, arc_error *error);
 /* Removes the checksums of all cases that the query `ids` returns. */
 arc_status arc_store_open_seals(arc_store *store, const char *ids, arc_error *error);
 arc_status arc_store_seal_changed(arc_store *store, arc_error *error);
-/* Removes all correct checksums before the tables are changed. Wrong checksums are preserved. A
- * required checksum that is missing is replaced by a wrong one. */
+/* Before the tables are changed, removes all correct checksums. Wrong checksums are preserved. A
+ * required checksum that is missing is replaced by a wrong one, so that damage is reported. */
 arc_status arc_store_unseal_sound(arc_store *store, arc_error *error);
-/* arc_store_verify compares the checksum of a case; arc_store_verify_run does so for a case
- * whose run is read, which must have a checksum; arc_store_verify_all compares the checksums of
- * all cases. Errors: ARC_FORMAT if a checksum does not match or a finished case has no checksum. */
+/* arc_store_verify compares the checksum of a case, arc_store_verify_all the checksums of all
+ * cases. arc_store_verify_run, for a run that will be read, also requires a checksum. Errors:
+ * ARC_FORMAT if a checksum does not match or a finished case has no checksum. */
 arc_status arc_store_verify(arc_store *store, int id, arc_error *error);
 arc_status arc_store_verify_run(arc_store *store, int id, arc_error *error);
 arc_status arc_store_verify_all(arc_store *store, arc_error *error);

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Number of characters from which on a text is stored separately. A shorter text is stored in the
- * row of its value, unless it has the form of a name. */
+/* A text with this number of characters or more is stored separately. A shorter text is stored in
+ * the row of its value, unless it has the form of a name. */
 enum { LONG = 1000 };
 static const char prefix[] = "text:";
 

@@ -14,9 +14,9 @@ typedef struct arc_child_def {
   int again;                /* true if the program is this program, with the same libraries */
 } arc_child_def;
 
-/* Memory [bytes] that a program needs at its start, in addition to its fraction of the remaining
- * memory. gnuplot and workers have 23 MiB of data at their start. Workers also need as much data as
- * the libraries of this program reserve: OpenBLAS never returns if it gets no memory. */
+/* Memory [bytes] that a program may use in addition to its fraction of the remaining memory.
+ * gnuplot and workers have 23 MiB of data at their start. Workers may also use as much data as the
+ * libraries of this program reserve: OpenBLAS never returns if it gets no memory. */
 enum { ARC_CHILD_OWN_MEMORY = 32 << 20 };
 
 /* Starts a program in its own process group, so that Ctrl-C at the terminal does not reach it.
@@ -33,9 +33,9 @@ void arc_child_confine(void);
  * failure, with an errno. */
 int arc_child_again(char *const argv[]);
 
-/* Creates two connected descriptors, both closed on exec: a pipe from [1] to [0], or (`is_socket`)
- * a socket for both directions, which causes no SIGPIPE. Returns 0 or an errno. On success and on
- * failure the caller closes the open descriptors. */
+/* Creates two connected descriptors, closed on exec: a pipe, read at ends[0] and written at
+ * ends[1], or, if `is_socket` is true, a socket for both directions, which causes no SIGPIPE.
+ * Returns 0 or an errno. Also after a failure, the caller closes the open descriptors. */
 int arc_child_channel(int ends[2], int is_socket);
 
 /* Releases the resources of a child. Must be called for each child that the caller has reaped by

@@ -142,8 +142,8 @@ static int allow_library(struct dl_phdr_info *library, size_t size, void *contex
 }
 
 /* Allows access to a program. If the program is outside the system folders, also allows the folders
- * lib and share/gnuplot beside its folder, but not the rest of share: in a home it contains
- * personal files. */
+ * lib and share/gnuplot beside its folder. The rest of share is not allowed, because in a home
+ * folder it contains personal files. */
 static void allow_program(rules *r, const char *path) {
   char whole[PATH_MAX], beside[PATH_MAX + 16];
   if (!path || !realpath(path, whole)) return;
@@ -324,8 +324,8 @@ static void refuse(filter *f, const unsigned *calls, size_t count, int why) {
   }
 }
 
-/* Refuses a call if the bits `mask` of the lower half of an argument equal `value` (`when` 1) or
- * differ from it (`when` 0). */
+/* Refuses a call depending on the bits `mask` in the lower half of an argument: with `when` 1 if
+ * they equal `value`, with `when` 0 if they differ from it. */
 static void refuse_where(filter *f, unsigned call, int argument, uint32_t mask, uint32_t value,
                          int when) {
   load(f, offsetof(struct seccomp_data, nr));
@@ -360,8 +360,7 @@ static void write_filter(filter *f) {
    * sockets outside. */
   refuse_where(f, SYS_socketpair, 0, all, AF_UNIX, 0);
   refuse_where(f, SYS_socketpair, 1, SOCK_TYPE, SOCK_STREAM, 0);
-  /* Rights of open files may change, as SQLite needs it, but not to those of the owner's programs.
-   */
+  /* SQLite needs fchmod. Bits that run a file with the rights of its owner or group are refused. */
   refuse_where(f, SYS_fchmod, 1, S_ISUID | S_ISGID | S_ISVTX, 0, 0);
   refuse_where(f, SYS_ioctl, 1, all, FS_IOC_SETFLAGS, 1);
   refuse_where(f, SYS_ioctl, 1, all, FS_IOC_FSSETXATTR, 1);
@@ -418,7 +417,8 @@ static int confine_calls(void) {
 
 /* --- rights of root --------------------------------------------------------------------------- */
 
-/* Drops all capabilities except those on files, because mode bits are not restricted here. */
+/* Drops all capabilities except those that override the permissions of files, because Landlock
+ * restricts files. */
 static void drop_rights(void) {
   const uint32_t kept = 1u << CAP_DAC_OVERRIDE | 1u << CAP_DAC_READ_SEARCH | 1u << CAP_FOWNER;
   struct __user_cap_header_struct head = {_LINUX_CAPABILITY_VERSION_3, 0};
@@ -443,7 +443,7 @@ static int limit(enum __rlimit_resource what, double most) {
   return setrlimit(what, &l) == 0;
 }
 
-/* Returns the number of threads of all processes of the user, which the limit includes. */
+/* Returns the number of threads in all processes of the user. The limit includes these threads. */
 static double threads_of_user(void) {
   double count = 0;
   DIR *list = opendir("/proc");

@@ -67,7 +67,7 @@ fails(function() study.converge{ base = { k = function() return 0 end, alpha = 1
 fails(function() study.converge{ base = { k = function() return 1e-8 end }, vary = { alpha = { 0, 1 } } } end,
   { "field 'base.k'", "table over distance" }, "a function as k in a study of several cases")
 
--- Tests that with a large roughness limit only the stability limit or a tenth of all cycles bounds the number
+-- Tests a large roughness limit: only the stability limit, or a tenth of all cycles, then limits the number
 -- of cycles per update (jump).
 c = study.converge{ base = { alpha = 1, model = coarse, geometry = "frozen" }, mesh = false, smooth = 0.99,
   symmetric = 0.99 }

@@ -136,8 +136,8 @@ local few = count_for(5000)
 tap.ok(few > 10 and count_for(50000) < 20 * few,
   "ten times the columns need less than 20 times the instructions")
 
--- Tests a cell with many blanks. An effort that grew with the square of their number would exceed the time
--- limit.
+-- Tests a cell with many blanks. A reading time that grows with the square of their number would exceed the
+-- time limit.
 local blanks = (" "):rep(2000000)
 is(csv.read(file("a,b\n1,x" .. blanks .. "y" .. blanks .. "\n")).b[1]:sub(-1), "y",
   "a cell with two million blanks before and after a letter")

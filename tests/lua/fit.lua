@@ -59,7 +59,7 @@ near(g.data[1].place.shift.value, 2.1, 1e-3, "lists x and h of a scar at x = 2.1
 -- --- standard errors by theory -------------------------------------------------------------------
 
 -- Tests the standard error of k from volumes: after little wear the volume is k L d alpha, so the relative
--- error of k equals that of the mean volume.
+-- error of k equals the relative error of the mean volume.
 local volumes = { of = "volume", distance = { 55, 110, 165, 220 }, relative = 0.03,
   value = { 55e-6, 110e-6, 165e-6, 220e-6 } }
 local g = fit{ base = base, unknown = { k = 2e-8 }, data = { volumes } }
@@ -80,8 +80,8 @@ near(g.times, 3.1824, 1e-4, "ranges use Student's t for errors estimated from re
 
 -- --- friction loops ------------------------------------------------------------------------------
 
--- Tests a fit of the friction loop of a run with a coefficient of friction of 0.63. The loop is shifted in x
--- and force, and the compliance of a test rig, 1e-5 mm/N, is added.
+-- Tests a fit of the friction loop of a run with the friction coefficient 0.63. The loop is shifted in x and
+-- force, and the compliance of a test rig, 1e-5 mm/N, is added.
 local rubbing = { load = 92.5, k = 1e-8, jump = 50, model = { radius = 6, mesh = { size = 0.02 } } }
 local function moving(given)
   for name, value in pairs(rubbing) do given[name] = value end
@@ -109,8 +109,8 @@ is(slid.data[1].distance, 4.0, "cycle numbers are converted to sliding distances
 holds(tostring(slid), { "loop at 4 mm: 50 values", "level 1.5 +- ", " N" }, "print of a fitted loop")
 plot.fit(slid, { file = file .. ".txt" })
 os.remove(file .. ".txt")
--- Tests the fit to loops in partial slip under a given force, which compares positions at the measured
--- forces.
+-- Tests the fit to loops in partial slip under a given force: it compares computed and measured positions at
+-- the measured forces.
 local partial = loop_of({ tangential = 40 }, 1)
 for i, force in ipairs(partial.tangential) do partial.x[i] = partial.x[i] - 1e-5 * force end
 local stuck = fit{ base = moving{ tangential = 40 }, unknown = { friction = { start = 0.8, low = 0.5, high = 1.2 } },

@@ -152,8 +152,8 @@ phase:run{ progress = false }
 ok(phase.gross == 1 and phase.energy > 0, "a normal load that changes during the motion")
 ok(#block.loading[1].tangential == 25 and #phase.loading[1].x == 101, "loadings contain the driving motion or force")
 
--- Tests that the steady cycle of a contact that is pressed and moved like the run has the energy of the run's
--- loop, whatever the shear at the start.
+-- Tests a contact that is pressed and moved like the run: its steady cycle has the energy of the run's loop,
+-- whether or not friction acts during pressing.
 local function steady_energy(of, force, press)
   local c = contact{ model = of.model, friction = of.friction, load = of.load, press = press }
   local before
@@ -176,8 +176,8 @@ for beta, of in pairs(unlike) do
       near(energy[press], steady_energy(w, force, press), 1e-12,
         ("energy of loop and contact: beta %g, force %g mu L, press %s"):format(beta, share, press))
     end
-    -- on fine elements the energies differ by 2.5, 0.6, 2.2 and 0.4 %; on these coarse elements, of which few
-    -- slip, by at least 0.35 %
+    -- in the four cases the energies differ by 2.5, 0.6, 2.2 and 0.4 % on fine elements; on these coarse
+    -- elements, of which few slip, they differ by 0.35 % or more
     ok(math.abs(energy.friction / energy.frictionless - 1) > 1e-3, "friction during pressing changes the energy")
   end
 end
@@ -199,8 +199,8 @@ near(again.energy - back.energy, back.energy - out.energy, 1e-4,
 pulled = pulled:move{ tangential = back.tangential, increments = 20 }
 near(back.energy, pulled.energy, 1e-4, "energy of the second half of the cycle")
 
--- Tests that almost equal bodies behave like equal bodies; an earlier version, which summed over nodes
--- only, gave up to 44 % less energy.
+-- Tests that almost equal bodies behave like equal bodies. A sum over the nodes alone would have up to 44 %
+-- less energy.
 local cycle_of = {}
 for _, E in ipairs{ 200e3, 200e3 * (1 + 1e-6), 202e3 } do
   local pair = hertz{ plate = { E = E } }

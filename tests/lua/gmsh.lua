@@ -69,7 +69,7 @@ fails(function() model{ mesh = at("plate.msh") } end, "no physical group 'upper'
   "a file with the mesh of one body only")
 
 -- Tests materials by the names in the mesh: a coating that wears through, compared with archard's own layer.
--- With frozen geometry both compliances remain those of the unworn coating.
+-- With frozen geometry, both runs use the compliance of the unworn coating.
 local coat = { E = 400e3, k = 5e-9 }
 local layered = model{ mesh = { size = 0.05 }, upper = body.cylinder{ radius = 10, E = 210e3, k = 2e-8,
   layers = { { thickness = 5e-4, E = coat.E, k = coat.k } } }, lower = body.block{ k = 1e-8 } }

@@ -138,8 +138,8 @@ ok(not fine, "without a larger mesh the run ends")
 ok(not pcall(full.step, full), "a second step fails, too")
 ok(full.distance == at and full.p_center == pressure and full:contact().p_center == pressure, "the run is unchanged")
 
--- Tests as many layers as element rows, much thinner than the rows: each layer wears by its own k, and
--- finally the base carries the contact.
+-- Tests a wear box with as many rows as layers, which are much thinner than the rows: each layer wears by its
+-- own k, and finally the base carries the contact.
 local function on_layers(rows)
   local layers = {}
   for i, k in ipairs{ 4e-9, 1e-9, 8e-9 } do layers[i] = { thickness = 1e-4 * i, material = { E = 200e3, nu = 0.3, k = k } } end

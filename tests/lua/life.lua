@@ -10,7 +10,7 @@ is(model{ radius = 7 }, model{ radius = 7 }, "equal definitions give the same mo
 ok(model{ radius = 7 } ~= model{ radius = 7.5 }, "different definitions give different models")
 is(wear{ model = { radius = 10 } }.model, a.model, "a table of default values gives the default model")
 
--- Tests that an object keeps a reference to the objects that it is part of.
+-- Tests that each part of an object keeps a reference to this object.
 local mesh = model{ radius = 6 }.mesh.plate
 local contact_alone = wear{ model = model{ radius = 6 } }:contact()
 collectgarbage() collectgarbage()

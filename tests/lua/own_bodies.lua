@@ -72,8 +72,8 @@ local field = c:stress()
 for _, v in ipairs(field.plate.mises) do worst = math.max(worst, v) end
 ok(worst > 0.3 * c.p_max and worst < c.p_max, "stresses in a ring have the magnitude of the contact pressure")
 
--- Tests that runs saved halfway and opened again have the same results, to the bit, as runs without a break,
--- and that bodies are stored in run files.
+-- Tests that run files contain the bodies, and that runs saved halfway and opened again have results
+-- identical to the bit with runs without a break.
 local file = os.tmpname()
 os.remove(file)
 local function run(distance) return wear{ model = m, load = 20, stroke = 0.5, distance = distance, jump = 10 } end

@@ -173,7 +173,8 @@ end
 
 -- --- stresses, depths, bars ----------------------------------------------------------------------
 
--- Returns a field of one square element from the height `low` on, with von Mises stresses up to `most`.
+-- Returns a field of one square element, whose lower edge is at y = low, with von Mises stresses up to
+-- `most`.
 local function square(low, most)
   return { x = { 0, 1, 1, 0 }, y = { low, low, low + 1, low + 1 }, mises = { 0, most, most, 0 }, elements = { 1, 2, 3, 4 } }
 end

@@ -48,7 +48,8 @@ end
 local function pair(E)
   return function() contact{ model = { cylinder = { E = E }, mesh = coarse.mesh }, load = 0.1 } end
 end
-has(warned(pair(210)), "E = 210 MPa of the cylinder is that of a soft plastic or rubber: was 210 GPa meant",
+has(warned(pair(210)),
+  "E = 210 MPa of the cylinder is the modulus of a soft plastic or rubber: was 210 GPa meant",
   "E given in GPa")
 has(warned(pair(210e9)), "was 2.1e+11 Pa meant", "E given in Pa")
 has(warned(function() contact{ model = coarse, load = 3e4 } end), "more than a fiftieth of E",
@@ -65,7 +66,7 @@ has(warned(step{ k = 1e-14, jump = 1 }),
   "k = 1e-14 mm2/N is 1e-11 mm3/(N m): was 1e-14 m2/N meant (k = 1e-08)",
   "k given in m2/N")
 has(warned(step{ friction = 12, stroke = 0.01, jump = 1 }),
-  "friction = 12 is a coefficient, force by load: was 12 % meant (0.12)?",
+  "friction = 12 is a coefficient, force / load: was 12 % meant (0.12)?",
   "friction given in per cent")
 has(warned(function() contact{ model = coarse, load = 1, friction = 4 } end), "was 4 % meant (0.04)",
   "friction of a contact given in per cent")

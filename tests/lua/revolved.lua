@@ -26,12 +26,12 @@ fails(function() model(ball{ thickness = 2 }) end,
   "field 'thickness': bodies of revolution have no thickness, got 2 mm",
   "a thickness of a body of revolution")
 fails(function() model(ball{ axis = 4 }) end,
-  "field 'axis': expected 0 or more than the 10 mm that the upper body reaches",
+  "field 'axis': expected 0 or more than 10 mm, as the upper body extends so far",
   "an axis inside the body")
 fails(function() model(ball{ upper = body.disc{ radius = 9.9 }, lower = body.ring{ inner = 10, outer = 20 } }) end,
   "for a hole (lower.kind = \"ring\" held by its outer rim)", "a hole in a body of revolution")
 fails(function() model(ball{ upper = body.profile{ y = function(x) return 1e-3 * x end, width = 4, height = 2 } }) end,
-  "field 'upper.y': expected heights that are the same at x and -x", "an asymmetric profile")
+  "field 'upper.y': expected the same height at x and -x", "an asymmetric profile")
 ok(pcall(model, ball{ upper = body.profile{ y = function(x) return -x * x / 20 end, width = 4, height = 2 }, mesh = { size = 0.05, zone = { cylinder = 1, plate = 1 } } }),
   "a symmetric profile")
 
@@ -66,7 +66,7 @@ is(doubled.p_max, contact{ model = thin, load = 100 }.p_max, "the pressure depen
 fails(function() pin{ slide = "x" } end, [[field 'slide': expected "z" for bodies of revolution]],
   "a stroke along x")
 fails(function() pin{ alpha = 0.5, track = "none", distance = 10, cycles = "none" } end,
-  "field 'alpha': expected 1, as a disc that passes under a pin wears along its whole track",
+  "field 'alpha': expected 1 if neither track nor spin is set",
     "a disc that does not move, with wear of both bodies")
 fails(function() pin{ friction = 0.1 } end, "field 'friction': expected 0", "a run with friction")
 fails(function() pin{ track = 0.1 } end,

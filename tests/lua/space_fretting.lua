@@ -159,7 +159,7 @@ for _, case in ipairs{ { 0.5, true }, { 3.5, false } } do
   local warnings = require "archard.warnings"
   warnings.keep()
   fret{ tangential = case[1] }:step()
-  local given = (warnings.take() or ""):find("slip annulus, [%d.]+ mm wide, has [%d.]+ cells: below 2.5") ~= nil
+  local given = (warnings.take() or ""):find("slip annulus, [%d.]+ mm wide, has [%d.]+ cells: with fewer") ~= nil
   is(given, case[2], "a force of " .. case[1] .. " N: warning that the slip annulus has few cells")
 end
 

@@ -89,7 +89,7 @@ near(contact{ model = ball_on(), load = 10, friction = 0.5 }:move{ tangential = 
   "displacement at 0.9999 of the sliding force")
 
 -- Tests the pressure on the lower body: when the lower body has moved by 0.2 mm along x, the ball presses at
--- its x = -0.2 mm.
+-- x = -0.2 mm of this body.
 near(c:move{ x = 0.2 }:pressure "lower":at(-0.2, 0), c.p_center, 0.01, "the pressure on the lower body after a motion")
 
 -- Tests changes of the normal load under a tangential force.
@@ -137,8 +137,8 @@ for _, height in ipairs{ 0, 2e-4 } do
   end
 end
 
--- Tests slender ellipses with nu = 0 along both axes: the displacement is friction times the difference of
--- two approaches, under the whole load and under the load that the stick zone carries.
+-- Tests slender ellipses with nu = 0 along both axes. The displacement is friction times the difference of
+-- two approaches: under the whole load, and under the load that the stick zone carries.
 for _, radius in ipairs{ 300, 1000, 5000 } do
   local function pressed(load, friction, across)
     local slender = body.ball{ radius = across and radius or 10, radius_z = across and 10 or radius, nu = 0 }

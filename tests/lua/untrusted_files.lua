@@ -96,7 +96,8 @@ for name, ask in pairs{ uncertainty = function() s:uncertainty() end, failure = 
   fails(ask, { "study:" .. name, "the file is damaged: case 1 is done and has no history" }, name .. " of cases without a history")
 end
 
--- Tests a plot of a case whose settings are texts instead of numbers: the error is that of a case without results.
+-- Tests a plot of a case whose settings are texts instead of numbers: the error is the same as for a case
+-- without results.
 s = study.open(stranger{ cases = { { alpha = "x", stroke = "y", load = "z" } } })
 fails(function() plot.profile(s:cases()[1], { file = path .. ".svg" }) end,
   "has no surface stored; its status is waiting",

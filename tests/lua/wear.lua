@@ -68,8 +68,8 @@ end
 is(history.p_center[13], w.p_center, "the last row is the present state")
 is(history.distance[1], 0, "the first row is at distance 0")
 
--- Tests Eq. (15) of the reference paper: the volume of each body is the body's k times the integral of p ds
--- dA, the load integrated over the sliding path, for every motion, step and procedure.
+-- Tests Eq. (15) of the reference paper for every motion, step and procedure: the volume of each body is the
+-- body's k times the integral of the load over the sliding path.
 for name, case in pairs{ explicit = {}, by_half = { rule = "simple" },
   implicit = { scheme = "implicit", tolerance = 1e-3 }, over_the_plate = { stroke = 20, increments = 10 },
   increments = { update = "increment", geometry = "frozen" },
@@ -94,8 +94,8 @@ for name, case in pairs{ explicit = {}, by_half = { rule = "simple" },
   is(run.history.load_distance[#run.history.load_distance], sum, name .. ": the integral in the history")
 end
 
--- Tests that the largest pressure during the cycle equals the largest pressure of contacts along the path on
--- the surfaces of the same row.
+-- Tests the largest pressure during a cycle: it equals the largest pressure of separate contacts at positions
+-- along the path, with the same worn surfaces.
 do
   local run = wear{ increments = 8, jump = 50 }
   is(run.p_peak, run.p_max, "p_peak before the first update is p_max")

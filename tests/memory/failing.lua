@@ -1,6 +1,6 @@
--- Runs typical uses of archard with a failure at each call site, in its first and last call (or at
--- ARCHARD_POINTS calls, evenly spaced): the result must be an error that reports the failure, or success;
--- afterwards the same use must succeed. Prints TAP. Usage:
+-- Runs typical uses of archard with a failure in the first and in the last call at each call site, or in
+-- ARCHARD_POINTS evenly spaced calls. Each use must succeed or report the failure; afterwards the same use
+-- must succeed. Prints TAP. Usage:
 --   failing.lua memory|system [piece]
 
 local what, only = arg[1], arg[2]

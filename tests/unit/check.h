@@ -103,8 +103,8 @@ UNUSED static void check_below_at(double got, double limit, const char *what, co
     }                                                                                              \
   } while (0)
 
-/* Replaces each of `count` numbers in turn by its wrong value, and checks that the call fails
- * with ARC_NUMERIC and with the part of the message listed for this number. */
+/* Replaces each of `count` numbers in turn by its wrong value, and checks that the call fails with
+ * ARC_NUMERIC and that the message contains the part listed for this number. */
 #define check_spoilt(call, count, numbers, wrong, parts)                                           \
   for (int spoilt = 0; spoilt < (count); spoilt++) {                                               \
     const double right = *(numbers)[spoilt];                                                       \

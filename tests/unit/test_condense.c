@@ -29,10 +29,9 @@ static void add_entry(const whole *w, sparse_entries *entries, int row, int colu
     assert_int_equal(arc_sparse_add(entries, i + row % 2, j + column % 2, value), ARC_OK);
 }
 
-/* Adds the stiffness of the common dilatation of a group of triangles: the square of the change
- * of their total area. A group consists of the triangles with the same first corner on one side
- * of the body. This function searches for them, so it does not depend on the order of the
- * elements. */
+/* Adds the stiffness of a group of triangles against changes of their total area. A group consists
+ * of the triangles with the same first corner on one side of the body. This function searches for
+ * them, so it does not depend on the order of the elements. */
 static void add_dilatation(const whole *w, const double *xy, int e, sparse_entries *entries) {
   const arc_mesh *m = w->body->mesh;
   int unknown[64], count = 0;

@@ -132,7 +132,7 @@ static void test_balance_far_away(void **state) {
   check_ok(arc_shape_create(steel, ARC_FROZEN, 0, &shape, why));
   check_ok(
       arc_shape_sample(shape, ARC_PLATE, (arc_depths){.x = x, .h = h, .count = 3}, depth, why));
-  depth[0] = 0; /* a depth common to all nodes would be an approach, not a gap */
+  depth[0] = 0; /* a depth common to all nodes would only change the approach */
   check_ok(arc_shape_wear(shape, ARC_PLATE, depth, why));
   for (int k = 0; k < 3; k++) {
     arc_contact *contact = solve(shape, load[k], 0);

@@ -158,7 +158,8 @@ static void test_bending(void **state) {
   (void)state;
   for (double length = 1; length < 20; length *= 2) {
     check_near(bending_energy_ratio(ARC_CPE4I, length), 1, 1e-12);
-    /* parasitic shear adds G / E* times the square of the aspect ratio to the ratio of energies */
+    /* parasitic shear increases the ratio of energies by G / E* times the square of the aspect
+     * ratio */
     const double nu = steel.nu, shear = (1 - nu) / 2 * length * length;
     const double plane = (1 - nu) * (1 - nu) / (1 - 2 * nu);
     check_near(bending_energy_ratio(ARC_CPE4, length), plane + shear, 1e-9 * shear);

@@ -120,8 +120,8 @@ static char *read_whole(const char *path, size_t *size) {
   return text;
 }
 
-/* Returns the bytes of the array with this name and writes their number, both from the array's
- * header in the file. */
+/* Returns the data of the array with this name, at the offset in its header. Writes the number of
+ * bytes to *bytes. */
 static const void *array_bytes(const char *text, const char *name, uint64_t *bytes) {
   char start[80];
   snprintf(start, sizeof start, "Name=\"%s\"", name);

@@ -260,9 +260,9 @@ static double longest_edge(const arc_mesh *m, const int *corner) {
   return longest;
 }
 
-/* Tests that no element is much larger than `far`. Diagonals of closing triangles, and
- * stretching to a whole number of cells, give up to twice this size. The fan at the half
- * cylinder's centre is excluded. */
+/* Tests that no element is much larger than `far`. Diagonals of closing triangles, and stretching
+ * to a whole number of cells, result in up to twice this size. The fan at the half cylinder's
+ * centre is excluded. */
 static void test_far_size(void **state) {
   (void)state;
   static const double far[] = {0.3, 1, 2.5};

@@ -217,7 +217,8 @@ static void test_worn(void **state) {
 static void test_matching_nodes(void **state) {
   (void)state;
   arc_model_def def = coarse_definition();
-  def.radius = 2000; /* the x coordinates of both bodies' nodes then differ by at most 1e-7 */
+  def.radius =
+      2000; /* with this radius the x coordinates of both bodies' nodes differ by at most 1e-7 mm */
   def.mesh.far = 200;
   arc_model *model = build_model(&def);
   arc_shape *shape = make_shape(model);

@@ -187,7 +187,7 @@ static void test_edges(void **state) {
 }
 
 /* Returns the cusp 2 (1 - s / 9) sqrt(s) at the distance s outside the edge and 0 inside. The sign
- * is that of the direction `out`, +1 or -1. */
+ * is the sign of the direction `out`, +1 or -1. */
 static double cusp(const contact_edge *edge, double x) {
   const double s = fmax(0, edge->out * (x - edge->x));
   return 2 * edge->out * (1 - s / 9) * sqrt(s);

@@ -53,8 +53,8 @@ static void test_rigid(void **state) {
 }
 
 /* Checks the field u_x = a r, u_y = b y on the graded plate mesh: inner nodes have no force, the
- * stresses are those of the strains a, b, a, and the areas of the nodes balance the pressure on
- * top. */
+ * stresses agree with the strains a, b, a, and the nodal forces on top equal the pressure times the
+ * areas of the nodes. */
 static void check_constant(arc_element kind, double axis) {
   const double a = 2e-4, b = -7e-4;
   arc_mesh_def def = arc_mesh_default();

@@ -3,8 +3,8 @@
 #include "space_rubbing.h"
 
 /* The shear of a round contact at nu = 0 as a sum over layers of load X (Jaeger): q = integral of
- * s(X) dp/dX dX with |s| <= mu, where p is the pressure under the load X, and s is constant within
- * a layer. The sum is exact for any path of load and force. */
+ * s(X) dp/dX dX with |s| <= mu. Here p is the pressure under the load X, and s is constant within a
+ * layer. The sum is exact for any path of load and force. */
 typedef struct layers {
   double mu, approach; /* approach under 1 N [mm] */
   double load[64], s[64];

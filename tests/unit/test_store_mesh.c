@@ -230,7 +230,7 @@ static void test_broken_meshes(void **state) {
   }
 }
 
-/* Tests a valid mesh with a number of surface nodes that differs from the stored state. */
+/* Tests a valid mesh whose number of surface nodes differs from the number in the stored state. */
 static void test_other_surface(void **state) {
   (void)state;
   size_t count;

@@ -37,7 +37,7 @@ static void spoil(const char *name, const char *sql) {
   seal(name);
 }
 
-/* Copies the good file to `name`, sets number `at` of the plate's state array `name_of` to `value`
+/* Copies the good file to `name`, sets element `at` of the plate's state array `name_of` to `value`
  * and updates the checksums. */
 static void set_number(const char *name, const char *name_of, int at, double value) {
   sqlite3 *db;
@@ -109,7 +109,7 @@ static void test_share_with_values_twice(void **state) {
   spoil("share", LOOSE "INSERT INTO definition SELECT * FROM definition WHERE name = 'load'");
   assert_int_equal(arc_store_merge(store, in_folder("share"), &error), ARC_FORMAT);
   assert_non_null(
-      strstr(error.message, "share: the file is damaged: it has a row of a case twice"));
+      strstr(error.message, "share: the file is damaged: a row of a case occurs twice"));
   assert_null(strstr(error.message, "constraint"));
   must(arc_store_cases(store, &cases, &count, &error), &error);
   assert_int_equal(cases[0].status, ARC_CASE_WAITING);

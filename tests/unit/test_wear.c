@@ -32,8 +32,8 @@ static void test_volume_of_profile(void **state) {
   arc_wear_destroy(&wear);
 }
 
-/* Tests a model with a thickness: load and volume are those of the whole thickness, and the
- * depths equal the depths under the load per mm. */
+/* Tests a model with a thickness: load and volume refer to the whole thickness, and the depths
+ * equal the depths under the load per mm. */
 static void test_thickness(void **state) {
   (void)state;
   arc_model_def md = *arc_model_definition(coarse);
@@ -99,7 +99,7 @@ static void test_hertz_forever(void **state) {
   arc_wear_destroy(&wear);
 }
 
-/* Tests that sliding of the plate has no effect for alpha = 1 except by the positions of the
+/* Tests alpha = 1: sliding of the plate changes the results only slightly, by the positions of the
  * plate's nodes. */
 static void test_forced_sliding(void **state) {
   (void)state;
@@ -303,8 +303,8 @@ static void test_leaps(void **state) {
   }
 }
 
-/* Tests that a jump beyond the limit gives one warning for each definition, before the first step,
- * and does not change the results. */
+/* Tests a jump above the stability limit: each definition gives one warning, before the first step,
+ * and the results are unchanged. */
 static void test_warnings(void **state) {
   (void)state;
   static const arc_callbacks callbacks = {.warn = hear};

@@ -111,7 +111,7 @@ earns("slip between nodes: energy of a cycle, root mean square error", function(
   return (spread(off))
 end, 0.02, 5)
 
--- Returns for every update the pressures on the cylinder, the centre pressure, and the half width less 2.5
+-- Returns for every update the pressures on the cylinder, the centre pressure, and the half width minus 2.5
 -- elements (`reach`).
 local function pressures(corrections, refresh)
   local w = wear{ model = usual, corrections = corrections, refresh = refresh, alpha = 1, jump = 100, distance = 1320 }

@@ -1,6 +1,6 @@
 -- Tests the default mesh sizes: for every radius and load, the error of the centre pressure of the unworn
--- contact must not exceed a limit. For steel, the limit is slightly above the error in the reference case of
--- the reference paper (README.md).
+-- contact must not exceed a limit. For steel, the limit is slightly above the error in the case of the
+-- reference paper (README.md).
 
 -- Long
 local here = arg[0]:match("^(.*)/") or "."

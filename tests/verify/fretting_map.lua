@@ -9,8 +9,8 @@ local mu = 0.6
 
 -- --- stick zone ---------------------------------------------------------------------------------
 
--- Returns the largest and the mean error of half the stick zone's width against Cattaneo and Mindlin, in
--- elements, over contacts whose edges move across an element.
+-- Compares the half width of the stick zone with Cattaneo and Mindlin's, over contacts whose edges move
+-- across an element. Returns the largest and the mean error, in elements.
 local function edges_off(fineness, share)
   local first = contact{ model = { mesh = { fineness = fineness } }, friction = mu }
   local size, a, most, sum, count = first.model.mesh.size, first.half_width, 0, 0, 12
@@ -56,8 +56,8 @@ for _, annulus in ipairs{ 0.05, 0.1, 0.2 } do
   end
 end
 
--- Tests the displacement at the start of gross slip under 100 N/mm against half-planes whose length is that
--- of the bodies (7.23 R).
+-- Tests the displacement at the start of gross slip under 100 N/mm against half-planes of the same length as
+-- the bodies (7.23 R).
 for fineness = 1, 2 do
   local map = study.fretting_map{ load = { 100 }, motion = { 1e-3 }, friction = mu, model = { mesh = { fineness = fineness } } }
   within(map.gross_from[1], 2.677e-3, 0.006, ("fineness %d: transition to gross slip [mm]"):format(fineness))

@@ -164,9 +164,10 @@ end
 
 -- --- forces with a mean value ---------------------------------------------------------------------
 
--- Tests cycles of a force with a mean value. A change D of the force after a reversal dissipates half of the
--- energy of the cycle of +-D/2. This is checked for each half of each cycle, in one increment or nine, and in
--- the loops of wear. If the force passes an earlier turning point, the earlier branch is continued.
+-- Tests cycles of a force with a mean value. A change D of the force after a reversal dissipates half as much
+-- energy as the cycle between -D/2 and D/2. This is checked for each half of each cycle, in one increment or
+-- nine, and in the loops of wear. If the force passes an earlier turning point, the earlier branch is
+-- continued.
 local function way_energy(change) return cycle_energy(change / (2 * mu * load)) / 2 end
 
 for _, row in ipairs{ { 0.02, 0.06 }, { 0.01, 0.015 }, { 0.005, 0.001 } } do

@@ -1,6 +1,6 @@
--- Tests histories against exact results: varying k and alpha on a plate that stays flat, which depend only on
--- k_c d (the cylinder's coefficient times the distance), volumes by the integral of k times load, and
--- equivalent inputs by identical bits.
+-- Tests histories against exact results. On a plate that stays flat, runs with varying k and alpha depend
+-- only on k_c d, the cylinder's coefficient times the distance. Volumes equal the integral of k times load,
+-- and equivalent inputs give identical bits.
 
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")

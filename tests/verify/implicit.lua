@@ -82,7 +82,8 @@ end
 
 -- --- cases of the paper with several element sizes --------------------------------------------------
 
--- each row: element size [um], stroke [mm], alpha, longest explicit update, most solutions, most updates
+-- each row: element size [um], stroke [mm], alpha, longest explicit update, allowed numbers of solutions and
+-- of updates
 local cases = {
   { 20, 0.11, 0.5, 10, 14e3, 20 }, { 20, 0.22, 0.75, 5, 13e3, 20 }, { 20, 0.44, 0.25, 2.5, 9e3, 15 },
   { 20, 20, 0.5, 0.1, 250, 18 }, { 10, 0.11, 0.5, 10, 21e3, 25 }, { 10, 0.44, 0.75, 2.5, 19e3, 25 },

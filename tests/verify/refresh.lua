@@ -19,8 +19,8 @@ local function path(definition, refresh)
   return states
 end
 
--- Returns three largest differences: of the pressures relative to the pressure at the centre, at any node and
--- at nodes farther than 2.5 elements inside the contact's edges; and the relative difference of the depths.
+-- Returns three largest differences: of the pressures at any node, of the pressures more than 2.5 elements
+-- inside the contact's edges (both relative to the centre pressure), and of the depths (relative).
 local function compare(definition, size)
   local exact, found = path(definition, 0), path(definition)
   local any, inside, depth = 0, 0, 0

@@ -1,5 +1,5 @@
--- Tests a worn surface that is transferred to another mesh: the pressures equal those of a run on that mesh,
--- and the worn areas are unchanged.
+-- Tests a worn surface that is transferred to another mesh: the pressures equal the pressures of a run on
+-- that mesh, and the worn areas are unchanged.
 
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")

@@ -1,5 +1,5 @@
 -- Tests partial slip on the default meshes, whose element sizes follow from the slip annuli: volume, energy
--- and depth after 10000 cycles against twice the fineness.
+-- and depth after 10000 cycles against meshes of twice the fineness.
 
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")

@@ -23,8 +23,8 @@ local function depths(w, true_depth, share, what)
   end
 end
 
--- Returns the depths for explicit updates of decreasing length, extrapolated to zero: twice the finer minus
--- the coarser result.
+-- Returns the depths for explicit updates, extrapolated to updates of length zero: twice the finer minus the
+-- coarser result.
 local function extrapolated(fields, jump)
   local depth = {}
   for i, part in ipairs{ 5, 10 } do

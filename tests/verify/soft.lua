@@ -13,8 +13,8 @@ local pairs_of = {
   { "both nu = .4999", { E = 10, nu = 0.4999 }, { E = 10, nu = 0.4999 } },
 }
 
--- Returns the ratio of contact moduli of the pair and of steel, the factor of the load for equal contact
--- widths.
+-- Returns the contact modulus of the pair divided by the contact modulus of steel. Loads in this ratio give
+-- equal contact widths.
 local function modulus(pair)
   return hertz{ cylinder = pair[2], plate = pair[3] }.E_star / hertz{}.E_star
 end

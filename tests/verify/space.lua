@@ -83,7 +83,7 @@ local both = run(10, 1, 0.5, 1320, { model = rigid, procedure = "NSP" })
 within(both.depth.ball, 1.3621e-3, 0.002, "nearly rigid bodies, stroke 1 mm: depth of the ball [mm]")
 within(both.depth.block, 2.9974e-4, 0.002, "nearly rigid bodies, stroke 1 mm: depth of the groove [mm]")
 -- The edge of the pressure between rigid bodies is located to one cell only, and rounding errors of another
--- BLAS can move it by a cell. The tolerance is therefore one cell, 0.0125 / 0.16505.
+-- BLAS can move it by a cell. The tolerance is therefore one cell, 0.076 of the half width.
 within(both.half_width, 0.16505, 0.076, "nearly rigid bodies: half width along the motion, to a cell [mm]")
 within(both.half_width_z, 0.18231, 0.076, "nearly rigid bodies: half width across the motion, to a cell [mm]")
 within(run(10, 1, 0, 1320, { model = rigid }):map("block"):at(0, 0), (0.75 * 1.32e-4 / math.sqrt(20)) ^ (2 / 3), 0.005,

@@ -58,8 +58,8 @@ for _, case in ipairs{ { 0.5, 1.0844e-7, 8.46e-7, 1.503e-5, 9.0055e-7, 7.7996e-5
     label .. ", end of wear: approach [mm]")
 end
 
--- The stick zone ends at rows of cells on its axes. If a straight row slips that is largely within the zone, the
--- largest depth is up to 5.5 % too large.
+-- The stick zone ends at rows of cells on its axes. If a straight row slips although it is mostly within the
+-- zone, the largest depth is up to 5.5 % too large.
 for _, case in ipairs{ { 0.45, 6.2361e-5 }, { 0.55, 9.6684e-5 }, { 0.6, 1.1926e-4 } } do
   within(fret(0, case[1], 0):run{ progress = false }.depth.cylinder, case[2], 0.01,
     ("nu = 0, %g of full slip, automatic cells, end of wear: depth [mm]"):format(case[1]))

@@ -1,6 +1,6 @@
--- Tests random closed paths of load and tangential force on a ball of nu = 0 against Jaeger's superposition
--- of slices of load, which is exact for any path: displacements after each leg, and the work of the second
--- turn.
+-- Tests random closed paths of load and tangential force on a ball of nu = 0: displacements after each leg,
+-- and the work of the second turn. The reference is Jaeger's superposition of slices of load, which is exact
+-- for any path.
 --   ARCHARD_RUNS=200 tests/run -a verify/space_jaeger   more paths
 
 -- Long

@@ -141,7 +141,7 @@ within(few.depth.block, tight.depth.block, 0.001,
 -- --- other solvers ---------------------------------------------------------------------------------------
 
 -- Tests wear of the ball alone against axisymmetric finite elements. The bodies of finite elements are 10 mm
--- high, so their approach is 0.9 % smaller than that of half-spaces.
+-- high, so their approach is 0.9 % smaller than for half-spaces.
 local spot = { load = 50, alpha = 1, distance = 2000, k = 1e-8 }
 local revolved = wear{ load = spot.load, alpha = 1, distance = spot.distance, slide = "z", scheme = "implicit", tolerance = 1e-3,
   model = { geometry = "axisymmetric", mesh = { size = 0.01, height = 0.01, zone = { cylinder = 1.2, plate = 1.2 } } } }
@@ -157,7 +157,8 @@ within(here.p_center, revolved.p_center, 0.02,
   "ball that wears alone: centre pressure by elements of revolution [MPa]")
 
 -- Tests the wear in the middle of a long crowned roller against the plane model under the same load per
--- length. This load is the worn area of both bodies in the section z = 0, divided by k d (distance d).
+-- length. This load is the area that both bodies have lost in the section z = 0, divided by k times the
+-- distance.
 local long = model{ geometry = "3-D", upper = body.ball{ radius = 10, radius_z = 1000 }, lower = body.block{} }
 local rolled = wear{ model = long, load = 270, stroke = 0.11, alpha = 0.5, distance = 400, k = 1e-8 }
 rolled:run()

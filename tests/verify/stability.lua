@@ -48,8 +48,9 @@ figures.about(onset / limit, 1.05, 0.1501, "N-bar at the start of roughness / li
 local halved = wear{ model = { mesh = { size = 0.01, height = 0.0125 } } }:stability().jump_limit
 figures.within(halved, unworn / 2, 0.02, "limit of N-bar with elements of half the size")
 
--- alpha = 1 assigns all of k to one surface, which is always in the middle of its contact. The sliding
--- distance between updates must then be below about 40 mm for matched quadrilaterals of 20 x 25 um.
+-- With alpha = 1, only the cylinder wears, with the whole coefficient k. Its contact is always in the middle
+-- of its surface. The sliding distance between updates must then be below about 40 mm for matched
+-- quadrilaterals of 20 x 25 um.
 local alone = wear{ alpha = 1 }:stability().jump_limit
 figures.note(("alpha = 1: limit N-bar = %.1f, %.1f at alpha = 0.5"):format(alone, unworn))
 figures.within(2 * 0.11 * alone, 40, 0.05, "alpha = 1: sliding distance between updates at the limit [mm]")

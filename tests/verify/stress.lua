@@ -42,7 +42,7 @@ end
 
 -- Returns the largest errors of a mesh over loads whose edges move across several nodes: at surface nodes
 -- more than one and a half elements from the edge, at the other surface nodes, in the first row inside, and
--- deeper. The last error is that of von Mises' stress at the free surface.
+-- deeper. The last error is the error of von Mises' stress at the free surface.
 local function errors_of(bodies, size)
   local scale = hertz(bodies).E_star / hertz{}.E_star
   local m = model{ cylinder = bodies.cylinder, plate = bodies.plate,

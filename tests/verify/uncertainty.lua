@@ -258,8 +258,8 @@ near(t.volume_plate.k.derivative[2], 0.5 * 100 * 44, 1e-10,
 near(t.volume_plate.load.elasticity[2], 1, 1e-10, "elasticity of the volume to the load")
 near(t.volume_plate.alpha.elasticity[2], -1, 1e-10, "elasticity of the plate's volume to alpha")
 
--- Tests sensitivities if all stresses are scaled (load and E increased, k decreased): the depth is constant
--- and the pressure proportional, exactly so at every distance for any mesh.
+-- Tests sensitivities to a scale of all stresses (load and E increased, k decreased): at every distance and
+-- for any mesh, the depth is constant and the pressure exactly proportional.
 local w = wear{ distance = 330, jump = 100 }
 w:run{ progress = false }
 local g = w:sensitivity{ of = { "depth_cylinder", "depth_plate", "p_center" }, to = { "k", "load", "E" }, over = 0 }

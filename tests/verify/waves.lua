@@ -68,6 +68,6 @@ flattened:run()
 local h = flattened:profile("profile").h
 middle = #h // 2 + 1
 local function dip(nodes) return h[middle] - (h[middle + nodes] + h[middle - nodes]) / 2 end
--- a wave has sixteen elements: dip(16) is the form alone, dip(8) the form and the wave
+-- a wave has sixteen elements: dip(16) depends on the form alone, dip(8) on the form and the wave
 local lost = (dip(8) - dip(16) / 4) / 2
 within(-math.log(1 - lost / height), 0.5, 0.01, "waves in full contact: exponent of the decay")

@@ -7,8 +7,8 @@ local within, below = figures.within, figures.below
 -- --- waves --------------------------------------------------------------------------------------
 
 -- By Westergaard's theory, waves of amplitude D and length l that touch over the width 2 a of each wave carry
--- the mean pressure p* sin^2(pi a / l) with p* = pi E* D / l, and the pressure at the crest is 2 mean /
--- sin(pi a / l). On a crowned profile this holds for the wave in the middle.
+-- the mean pressure p* sin^2(pi a / l) with p* = pi E* D / l. The pressure at the crest is the mean pressure
+-- times 2 / sin(pi a / l). On a crowned profile this holds for the wave in the middle.
 local length, height = 0.1, 1e-4
 local star = math.pi * 109890.1 * height / length
 local rough = contact{ load = 50, average = 0, model = {

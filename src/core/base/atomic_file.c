@@ -1,6 +1,6 @@
-/* Writes files atomically (POSIX). A temporary file is named ".archard-part-SYSTEM-PID-TIME", so
- * that files of killed programs are recognised without locks, which network disks may not
- * support. */
+/* Writes files atomically (POSIX). The name of a temporary file, ".archard-part-SYSTEM-PID-TIME",
+ * identifies the program that writes it. Files of killed programs are therefore recognised without
+ * locks, which network disks may not support. */
 #include "archard/atomic_file.h"
 #include "core/base/owner.h"
 #include "core/base/resolve.h"
@@ -48,8 +48,8 @@ static void remove_temporary(int folder, const char *name) {
   unlinkat(folder, name, 0);
 }
 
-/* Age [s] from which temporary files of other computers count as abandoned: ten days, as systemd
- * removes files in /tmp after ten days (tmpfiles.d). */
+/* Temporary files of other computers count as abandoned at this age [s]: ten days, the age at which
+ * systemd removes files from /tmp (tmpfiles.d). */
 static const double longest = 10 * 86400.0;
 
 static int is_abandoned(const char *name, const struct stat *facts) {
@@ -84,8 +84,8 @@ static int check_descriptor(arc_atomic_file *file) {
   return (flags & O_ACCMODE) == O_RDONLY ? EACCES : 0;
 }
 
-/* Checks that the target, if it exists, is writable, and writes its permissions to *mode (0: no
- * such file). Returns 0 or an errno. */
+/* Checks that the target is writable if it exists. Sets *mode to its permissions, or to 0 if there
+ * is no such file. Returns 0 or an errno. */
 static int check_target(arc_atomic_file *file, mode_t *mode) {
   struct stat facts;
   *mode = 0;
@@ -110,8 +110,8 @@ static int set_folder(arc_atomic_file *file, const char *path) {
 
 /* --- creating --------------------------------------------------------------------------------- */
 
-/* Creates a temporary file under a name that this process has never used, as another program may
- * still be removing a file with the previous name. Returns 0 or an errno. */
+/* Creates a temporary file with a name that this process has never used, because another program
+ * may still be removing a file with an earlier name. Returns 0 or an errno. */
 static int create_temporary(arc_atomic_file *file) {
   char owner[ARC_OWNER];
   arc_owner_name(owner);
@@ -144,8 +144,8 @@ static arc_atomic_file *new_file(const char *name) {
   return file;
 }
 
-/* Sets *result to `file` and returns ARC_OK if `why` is 0. If `why` is an errno, discards the file,
- * sets *result to NULL and returns an error. */
+/* If `why` is 0, sets *result to `file` and returns ARC_OK. If `why` is an errno, discards the
+ * file, sets *result to NULL and returns an error. */
 static arc_status finish(arc_atomic_file *file, int why, arc_atomic_file **result,
                          arc_error *error) {
   arc_status status = why ? failed(file->name, why, error) : ARC_OK;

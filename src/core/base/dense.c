@@ -71,8 +71,8 @@ static void subtract_products(int n, const double *l, int ld, const double *b, d
   }
 }
 
-/* Replaces b by (L L')^-1 b for one right-hand side. For matrices of the size of contact problems,
- * this function is twice as fast as dtrsm. */
+/* Replaces b by (L L')^-1 b for one right-hand side. For the matrix sizes of contact problems it is
+ * twice as fast as dtrsm. */
 static void solve_one(int n, const double *l, int ld, double *b) {
   const int blocks = n - n % 4;
   for (int j = 0; j < blocks; j += 4) {
@@ -107,9 +107,9 @@ int arc_dense_band_cholesky(int n, int band, double *a) {
   return info;
 }
 
-/* Number of right-hand sides that are solved together (LAPACK solves them one by one); x[sides * i
- * + c] is row i of right-hand side c. Outside the nonzero rows of the right-hand sides, solutions
- * decay within a few band widths. Values smaller than `negligible` times the largest value count as
+/* `sides` right-hand sides are solved together; LAPACK would solve them one by one. Row i of
+ * right-hand side c is x[sides * i + c]. Solutions decay within a few band widths outside the
+ * nonzero rows of the right-hand sides. Values below `negligible` times the largest value count as
  * zero. */
 enum { sides = ARC_DENSE_BAND_SIDES };
 static const double negligible = 1e-16;
@@ -130,8 +130,8 @@ ARC_WIDE static double row_peak(int from, int to, const double *x) {
   return largest;
 }
 
-/* Returns true if rows `from` to `to` - 1 of x are negligible relative to the largest value so far,
- * *peak, which is updated. */
+/* Returns true if rows `from` to `to` - 1 of x are negligible relative to *peak, the largest value
+ * so far. First updates *peak. */
 static int fades(int from, int to, const double *x, double *peak) {
   const double largest = row_peak(from, to, x);
   *peak = fmax(*peak, largest);

@@ -19,8 +19,8 @@ void arc_dense_forward(int n, int count, const double *l, int ld, double *b, int
  * does. */
 int arc_dense_band_cholesky(int n, int band, double *a);
 /* Replaces x by A^-1 x for ARC_DENSE_BAND_SIDES right-hand sides, where A is the band matrix with
- * the factor l. Row i of right-hand side c is x[i * ARC_DENSE_BAND_SIDES + c]. On entry, only rows
- * *from .. *to - 1 may differ from zero. The array x has `band` additional rows after the last one.
+ * the factor l. Row i of right-hand side c is x[i * ARC_DENSE_BAND_SIDES + c]. On entry, all rows
+ * except *from .. *to - 1 must be zero. The array x has `band` additional rows after the last one.
  * On return, rows *from .. *to - 1 contain all values of the solution above rounding errors, and
  * all other rows are zero. */
 enum { ARC_DENSE_BAND_SIDES = 16 };
@@ -40,9 +40,9 @@ void arc_dense_add_columns(int first, int last, int n, const int *at, const doub
 void arc_dense_square(int n, int k, const double *a, int lda, double *c, int ldc);
 /* Adds a' a to the lower triangle of c, with a [k x n], c [n x n]. */
 void arc_dense_add_square(int n, int k, const double *a, int lda, double *c, int ldc);
-/* Two steps of solving equations with a general matrix a. arc_dense_factor replaces a [n x n] by
- * its LU factors and writes pivots [n]; it returns 0, or k > 0 if the matrix is singular.
- * arc_dense_factor_solve replaces b [n x count] by a^-1 b, any number of times. */
+/* Solve equations with a general matrix a in two steps. arc_dense_factor replaces a [n x n] by its
+ * LU factors and writes pivots [n]; it returns 0, or k > 0 if the matrix is singular.
+ * arc_dense_factor_solve, which may be called repeatedly, replaces b [n x count] by a^-1 b. */
 int arc_dense_factor(int n, double *a, int *pivots);
 void arc_dense_factor_solve(int n, int count, const double *a, const int *pivots, double *b);
 /* Computes inverse = (L L')^-1 as a full matrix, with l and inverse [n x n]. */

@@ -15,15 +15,15 @@
 
 /* --- kinds of locks */
 
-/* A query whether the disk of a file supports locks. It runs on a separate thread, because the
- * system waits forever for a dead lock daemon. */
+/* A query whether the disk of a file supports locks. It runs on a separate thread, because it never
+ * returns if the lock daemon is dead. */
 typedef struct question {
   work_progress progress;
   int file, answer; /* descriptor of the file; result of the query: 0 or an errno */
 } question;
 
-/* Tests whether the disk supports locks, by a lock query for one byte of the file. Stores 0 or an
- * errno as the result. The byte, at the offset 2^30, is one that SQLite locks in database files. */
+/* Tests whether the disk supports locks: queries the lock of one byte of the file, at the offset
+ * 2^30, which SQLite also locks in database files. Stores 0 or an errno as the result. */
 static arc_status ask(void *job) {
   question *q = job;
   struct flock lock = {.l_type = F_RDLCK, .l_whence = SEEK_SET, .l_start = 1 << 30, .l_len = 1};
@@ -99,9 +99,9 @@ static int make(const char *lock) {
   return symlink(owner, lock);
 }
 
-/* Removes an abandoned lock. If several programs find the same abandoned lock, only one of them
- * checks it again and removes it: the one that makes the second lock LOCK-turn. An abandoned second
- * lock, of a program that was killed here, is removed in the same manner. */
+/* Removes an abandoned lock. If several programs find this lock, one of them creates a second lock,
+ * LOCK-turn. Only this program checks the first lock again and removes it. If a killed program left
+ * a second lock, it is removed in the same manner. */
 static void remove_left(const char *lock) {
   char turn[PATH_MAX];
   if ((size_t)snprintf(turn, sizeof turn, "%s-turn", lock) >= sizeof turn) return;

@@ -9,8 +9,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* Returns the number after `key` in the first line of a file that begins with `key`, or NaN if
- * there is none. With an empty key, returns the first number in the file. */
+/* Returns the number after `key` in the first line that begins with `key`, or NaN if the file has
+ * no such line. With an empty key, returns the first number in the file. */
 static double number_in(const char *path, const char *key) {
   FILE *file = fopen(path, "r");
   char line[200];

@@ -1,5 +1,5 @@
-/* Makes and reads the names of running programs, which consist of a number of the computer and one
- * of the process. */
+/* Makes and reads the names of running programs. A name consists of two numbers, which identify the
+ * computer and the process. */
 #include "core/base/owner.h"
 
 #include <errno.h>

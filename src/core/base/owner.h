@@ -15,8 +15,8 @@ typedef enum arc_owner_state {
                          name */
 } arc_owner_state;
 
-/* Returns the state of the program whose name is at the beginning of a text. Characters after the
- * last digit of the PID are ignored. */
+/* Reads the name of a program at the beginning of a text and returns the state of this program.
+ * Characters after the last digit of the PID are ignored. */
 arc_owner_state arc_owner_look(const char *name);
 
 #endif

@@ -9,8 +9,8 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Writes the absolute path of the folder of a file, followed by the last part of the file name, to
- * `whole`. Returns 0 or an errno. */
+/* Writes to `whole` the absolute path of a file's folder, followed by the last part of the file
+ * name. Returns 0 or an errno. */
 static int in_folder(const char *name, char whole[PATH_MAX]) {
   char folder[PATH_MAX];
   const char *slash = strrchr(name, '/'), *last = slash ? slash + 1 : name;

@@ -83,8 +83,8 @@ static void say_choices(phrase *p, const char *const *choices) {
     say(p, "%s%s%s%s", i == 0 ? "" : choices[i + 1] ? ", " : " or ", quote, choices[i], quote);
 }
 
-/* Appends the forms other than a number that a setting accepts, separated by commas, with "or"
- * before the last one. */
+/* Appends the forms that a setting accepts besides numbers, separated by commas, with "or" before
+ * the last one. */
 static void say_forms(phrase *p, unsigned forms) {
   static const struct {
     unsigned form;
@@ -143,7 +143,7 @@ static int within(const arc_setting *s, double value) {
          (s->multiple == 0 || fmod(value, s->multiple) == 0);
 }
 
-/* Returns ARC_ARGUMENT. The message has the valid range of the number, but not the other forms that
+/* Returns ARC_ARGUMENT. The message contains the valid range of numbers; it omits other forms that
  * the setting accepts, such as "auto". */
 static arc_status refuse_number(const arc_setting *s, const char *prefix, const char *place,
                                 double value, arc_error *error) {

@@ -13,8 +13,7 @@ typedef struct work_team work_team;
 typedef void (*team_task)(void *context, int task, int worker);
 
 /* Creates a team of `workers` threads, including the caller. If `workers` is 1, *team is NULL,
- * which all functions below accept. ARC_MEMORY: out of memory, or the system cannot create
- * threads. */
+ * which all functions below accept. Error: ARC_MEMORY, also if the system cannot create threads. */
 arc_status arc_team_create(int workers, work_team **team, arc_error *error);
 /* Ends the threads and sets the handle to NULL. */
 void arc_team_destroy(work_team **team);

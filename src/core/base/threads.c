@@ -15,8 +15,8 @@ const char *arc_single_threaded(void) {
   return openblas_get_config ? openblas_get_config() : NULL;
 }
 
-/* Calls BLAS routines that copy blocks of matrices, because these allocate BLAS's workspace even
- * for small matrices. */
+/* Makes BLAS allocate its workspace, by calls of routines that need this workspace even for small
+ * matrices. */
 void arc_reserve_blas(void) {
   enum { N = 64 };
   double a[N * N] = {0}, b[N * N] = {0}, c[N * N] = {0};

@@ -18,8 +18,8 @@ typedef struct work_progress {
  * `p` may be NULL. */
 arc_status arc_work_stage(work_progress *p);
 
-/* Functions of a job. `work` performs the computation and returns its status; `discard` frees the
- * job with all its results. */
+/* Functions of a job. `work` computes the results and returns the status of the computation.
+ * `discard` frees the job with its results. */
 typedef struct worker_task {
   arc_status (*work)(void *job);
   void (*discard)(void *job);

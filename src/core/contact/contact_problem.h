@@ -34,21 +34,21 @@ typedef struct contact_problem {
   double *wc, *wp; /* [nc], [np] tributary widths along x [mm] */
   double *slope;   /* [nc] slope dy/dx of the plate's surface at each candidate, 0 at other nodes;
                       forces along x are -slope f */
-  double
-      *down;   /* [nc] component along the load of a unit force at each candidate, which is also the
-                  decrease of its gap per approach; 1 except for pins in holes (polar charts) */
-  double *a;   /* [count x count] contact matrix A [mm2/N] */
-  double *gap; /* [nc] initial gap by candidate [mm] */
-  double *f;   /* [nc] solution: nodal forces by candidate [N/mm] */
-  double *open;    /* [nc] solution: remaining gap by candidate [mm] */
+  double *down; /* [nc] component along the load of a unit force at each candidate, which equals the
+                   decrease of the candidate's gap per approach; 1 except for pins in holes (polar
+                   charts) */
+  double *a;    /* [count x count] contact matrix A [mm2/N] */
+  double *gap;  /* [nc] initial gap by candidate [mm] */
+  double *f;    /* [nc] solution: nodal forces by candidate [N/mm] */
+  double *open; /* [nc] solution: remaining gap by candidate [mm] */
   double approach; /* [mm] solution: approach of the bodies */
   int iterations;  /* number of iterations of the last solution */
   int active;      /* size of the active set */
   int *set;        /* [nc] the active candidates in increasing order */
   int *joined;     /* [nc] workspace for the next active set */
   int *made, of;   /* [nc] active set for which `factor` and `ones` were computed, and its size */
-  double *factor;  /* Cholesky factor of the rows and columns of A in the set `made`; a matrix of
-                      `of` rows and columns */
+  double *factor;  /* Cholesky factor of A, restricted to the candidates in `made`; a square matrix
+                      with `of` rows */
   double *ones;    /* [nc] solution of A ones = down, restricted to the candidates in `made` */
   int factored;    /* 1: `factor` and `ones` are valid for A */
   /* workspaces, each used by one function and its callees */
@@ -104,15 +104,15 @@ arc_status arc_contact_problem_check_zone(contact_problem *p, arc_error *error);
  * ARC_NUMERIC. */
 arc_status arc_contact_problem_fail(contact_problem *p, arc_error *error);
 
-/* Adds to the gaps the forces times the changes of both bodies' compliances since their last
+/* Corrects the gaps by the forces times the changes of both bodies' compliances since their last
  * condensation (compliance_update.c). Returns 0 if there is no change. */
 int arc_contact_problem_add_compliance_change(contact_problem *p);
 
 /* Writes the nodal forces of the solution at all surface nodes of the cylinder to f [nc] [N/mm]. */
 void arc_contact_problem_forces(const contact_problem *p, double *f);
-/* Writes the forces of the solution on a body's surface nodes [N/mm], force [2 * surface], first
- * along x at all nodes, then along y. The forces on both bodies balance except for rounding
- * errors. */
+/* Writes the forces of the solution on a body's surface nodes [N/mm] to force [2 * surface]: first
+ * along x at all nodes, then along y. The forces on both bodies balance except for rounding errors.
+ */
 void arc_contact_problem_forces_on(const contact_problem *p, arc_body body, double *force);
 /* Writes the pressures [MPa] of the solution at all surface nodes: pc [nc], pp [np]. */
 void arc_contact_problem_pressures(const contact_problem *p, double *pc, double *pp);

@@ -1,11 +1,11 @@
 /* Computes the edges of a contact, and the pressure next to them. In a smooth contact, such as
  * Hertz', the pressure falls as c sqrt(d) towards the edge, and the gap opens outside it as 4 c
- * d^(3/2) / (3 E*), with the distance d from the edge and the contact modulus E*. In a half-plane
- * both belong to one analytic function. If c is linear in d, this function has three parameters:
- * the edge, c at the edge, and the slope of c. They are fitted to nodal forces and gaps a few nodes
- * away, where elements are accurate. Values at nearer nodes depend on where the edge lies between
- * two nodes. The law does not apply at the kinks of scars; there the edge is interpolated between
- * the last node in contact and the next node. */
+ * d^(3/2) / (3 E*). Here d is the distance from the edge and E* the contact modulus. In a
+ * half-plane both belong to one analytic function. If c is linear in d, this function has three
+ * parameters: the edge, c at the edge, and the slope of c. They are fitted to nodal forces and gaps
+ * a few nodes away, where elements are accurate. Values at nearer nodes depend on where the edge
+ * lies between two nodes. The law does not apply at the kinks of scars; there the edge is
+ * interpolated between the last node in contact and the next node. */
 #include "core/base/dense.h"
 #include "core/contact/contact_problem.h"
 
@@ -59,8 +59,8 @@ static double edge_between(const ending *e) {
 /* --- the law ---------------------------------------------------------------------------------- */
 
 /* Equation of the fit at one node. `value` is the pressure, or outside the contact the scaled gap
- * (see equation_outside). of_c and of_x are the derivatives of the edge law minus this value with
- * respect to the parameters c and x. */
+ * (see equation_outside). of_c and of_x are the derivatives of the residual (edge law minus
+ * `value`) with respect to the parameters c and x. */
 typedef struct equation {
   double of_c[2], of_x, value;
 } equation;
@@ -169,11 +169,11 @@ static int has_nodes(const ending *e, const stencil *at) {
   return 1;
 }
 
-/* Fits the edge law at nodes so far from the edge that its position between nodes has no influence.
- * If the law does not fit there, fits it at nearer nodes. Returns the weight of the fitted edge: 1
- * if the law fits as well as in unworn contacts, 0 if it does not fit, and an intermediate value
- * between these limits. Tests with finer meshes of worn contacts showed that the edge of a law that
- * fits is more accurate than the interpolated edge. */
+/* Fits the edge law at nodes so far from the edge that the position of the edge between nodes has
+ * no influence. If the law does not fit there, fits it at nearer nodes. Returns the weight of the
+ * fitted edge: 1 if the law fits as well as in unworn contacts, 0 if it does not fit, and an
+ * intermediate value between these limits. Tests with finer meshes of worn contacts showed that the
+ * edge of a law that fits is more accurate than the interpolated edge. */
 static double find_law(const ending *e, double start, edge_law *law) {
   static const stencil stencils[] = {{-4, 3, 5}, {-3, 2, 3}};
   static const double holds = 0.018, fails = 0.024;

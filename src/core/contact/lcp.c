@@ -2,9 +2,9 @@
  * approach + A f >= 0, f'g = 0, sum f = line, the load per thickness. On polar charts (pins in
  * holes) the component `down` of a unit force along the load differs from 1: g = gap - approach
  * down + A f and sum down f = line. A primal-dual active set method (semismooth Newton) begins with
- * the last active set and needs one factorisation if this set is still correct. If it does not
- * converge because sets repeat, a primal active-set method solves the equivalent convex problem,
- * min f'A f / 2 + gap'f. Its objective decreases with every set, so no set repeats. */
+ * the last active set and needs one factorisation if this set is still correct. If this method does
+ * not converge because sets repeat, a primal active-set method solves the equivalent convex
+ * problem, min f'A f / 2 + gap'f. Its objective decreases with every set, so no set repeats. */
 #include "core/base/dense.h"
 #include "core/contact/contact_problem.h"
 

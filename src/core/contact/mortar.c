@@ -229,8 +229,8 @@ void arc_contact_problem_assemble(contact_problem *p, const arc_shape *shape) {
   p->factored = 0;
 }
 
-/* Converts gaps that were computed for a pin touching the hole at the arc length s = 0 to those of
- * a pin that touches the hole in the direction of the load and has rotated about its centre. */
+/* Converts gaps of a pin that touches the hole at the arc length s = 0 to gaps of a pin that has
+ * rotated about its centre and touches the hole in the direction of the load. */
 static void rest(contact_problem *p, const arc_shape *shape) {
   const shape_side *cylinder = &shape->side[ARC_CYLINDER];
   const chart *c = &cylinder->body->chart;

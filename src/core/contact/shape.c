@@ -149,7 +149,7 @@ static double left_of_layer(const shape_side *side, int i) {
 }
 
 /* Returns true if node i has moved too far since the last condensation. Limit in depth: `share`
- * times the element's height, or times a fifth of the remaining layer thickness if that is less.
+ * times the element's height or a fifth of the remaining layer thickness, whichever is smaller.
  * Limit along the surface: `share` / 100 times the element's width. Both limits have similar
  * effects on the pressure at the edge of a scar. */
 static int gone_too_far(const shape_side *side, const double *xy, int i, double share) {

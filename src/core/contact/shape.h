@@ -51,8 +51,8 @@ static inline double shape_inward(const shape_side *side) {
   return side->body->mesh->body == ARC_CYLINDER ? 1 : -1;
 }
 
-/* Computes the chord from the left neighbour of node i of a surface [2 n] to the right one. At the
- * ends of the surface the node itself replaces the missing neighbour. */
+/* Computes the chord from the left to the right neighbour of node i. xy [2 n] contains the nodes of
+ * the surface. At the ends of the surface the node itself replaces the missing neighbour. */
 static inline void shape_chord(const double *xy, int n, int i, double chord[2]) {
   const double *a = &xy[2 * (i > 0 ? i - 1 : 0)], *b = &xy[2 * (i + 1 < n ? i + 1 : i)];
   chord[0] = b[0] - a[0];
@@ -61,7 +61,8 @@ static inline void shape_chord(const double *xy, int n, int i, double chord[2]) 
 
 /* --- surface.c -------------------------------------------------------------------------------- */
 
-/* Computes xy [2 n], the surface nodes moved by `depth` [n] [mm] along their present normals. */
+/* Moves the surface nodes by `depth` [n] [mm] along their present normals and writes the result to
+ * xy [2 n]. */
 void arc_shape_move(const shape_side *side, arc_geometry geometry, const double *depth, double *xy);
 
 /* Returns the tributary width of surface node i [mm], from the positions along x at the last
@@ -108,12 +109,12 @@ arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, c
  * large. */
 #define ARC_SHAPE_DEEPEST 1e6
 
-/* Checks that no depth, apart from even wear, exceeds ARC_SHAPE_DEEPEST after wear by depth [n]
- * [mm]. Errors: ARC_GEOMETRY (wear_box.c). */
+/* Checks that no depth exceeds ARC_SHAPE_DEEPEST after additional wear by `depth` [n] [mm]. Even
+ * wear is not included. Errors: ARC_GEOMETRY (wear_box.c). */
 arc_status arc_shape_check_depth(const shape_side *side, const double *depth, arc_error *error);
 
-/* Computes down [n], the vertical lowering of the surface at fixed x per depth of wear along its
- * normal, which is 1 / cos of the slope angle. */
+/* Writes to down [n] the vertical lowering of the surface at fixed x, divided by the depth of wear
+ * along the normal. The result is 1 / cos of the slope angle. */
 void arc_shape_downward(const arc_shape *shape, arc_body body, double *down);
 
 /* Returns the length of the surface that belongs to node i [mm], along the surface or, with frozen

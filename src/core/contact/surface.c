@@ -39,8 +39,8 @@ double arc_shape_span(const arc_shape *shape, arc_body body, int i) {
   return width_at(side, side->xy, i) * (length / chord[0]);
 }
 
-/* Returns turn_i of arc_shape_conserve: the cross product n_i x n_i+1 of the normals at
- * neighbouring nodes, with the sign for which it is twice the area between both nodes that unit
+/* Returns turn_i of arc_shape_conserve, the cross product n_i x n_i+1 of the normals at
+ * neighbouring nodes. Its sign is chosen so that it is twice the area between both nodes that unit
  * depths remove in addition to the areas h_i span_i. */
 static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
   double here[2], next[2];

@@ -45,12 +45,12 @@ typedef struct elastic_body {
   int *stratum_start; /* index in `stratum` of the first layer below each surface node */
 } elastic_body;
 
-/* Returns the change of the normal compliance between the nodes that are `a` and `b` columns
- * away from a column of the wear box, per fraction of its thickness that this column has lost.
- * The change is limited to ARC_THINNING_REACH columns, because wear hardly changes the true
- * stiffness of the box, only the discretisation error. It is computed at the unworn centre or,
- * if the centre is on an axis of revolution, halfway between the axis and the edge. For bodies
- * of revolution it refers to 1 mm of circumference. */
+/* Consider a column of the wear box that has lost a fraction of its thickness. Returns the change
+ * of the normal compliance between the nodes `a` and `b` columns away from it, divided by this
+ * fraction. The change is limited to ARC_THINNING_REACH columns, because wear hardly changes the
+ * true stiffness of the box, only the discretisation error. It is computed at the unworn centre or,
+ * if the centre is on an axis of revolution, halfway between the axis and the edge. For bodies of
+ * revolution it refers to 1 mm of circumference. */
 enum { ARC_THINNING_REACH = 8, ARC_THINNING_SPAN = 2 * ARC_THINNING_REACH + 1 };
 static inline double arc_body_thinning(const elastic_body *body, int a, int b) {
   return body->thinning[(a + ARC_THINNING_REACH) * ARC_THINNING_SPAN + b + ARC_THINNING_REACH];

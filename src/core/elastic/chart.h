@@ -23,9 +23,9 @@ typedef struct revolution {
                   at x and -x */
 } revolution;
 
-/* Returns the length out of the section that belongs to a point [mm]. In bodies of revolution this
- * is the circumference, or half of it if the section shows both sides of the axis, so that each
- * ring has two points. In the plane it is 1. */
+/* Returns the length [mm] normal to the section that a point represents. In bodies of revolution
+ * this is the circumference, or half of it if the section shows both sides of the axis, so that
+ * each ring has two points. In the plane it is 1. */
 static inline double arc_revolution_weight(const revolution *r, double x) {
   static const double pi = 3.14159265358979323846;
   if (!r->on) return 1;
@@ -33,7 +33,7 @@ static inline double arc_revolution_weight(const revolution *r, double x) {
 }
 
 /* Returns the area from the axis to x [mm2]. For surfaces of revolution, this area replaces x
- * because u_y is linear in it. In the plane the function returns x. */
+ * because the displacement u_y is linear in the area. In the plane the function returns x. */
 static inline double arc_revolution_area(const revolution *r, double x) {
   static const double pi = 3.14159265358979323846;
   if (!r->on) return x;
@@ -73,8 +73,8 @@ typedef struct placing {
   double cos, sin, centre[2], shift[2];
 } placing;
 placing arc_chart_placing(const chart *c, arc_body body, double x, double angle);
-/* These functions move n points from the original position of a body to its position, and rotate
- * n vectors. */
+/* These functions move n points from the original to the present position of a body, and rotate n
+ * vectors. */
 void arc_placing_points(const placing *p, int n, double *xy);
 void arc_placing_vectors(const placing *p, int n, double *v);
 

@@ -41,10 +41,10 @@ void arc_compliance_incline(compliance *c);
 /* Computes the array `level`, by which the compliance under shear, xx, is derived from the
  * compliance under pressure, yy, for bodies of one material. On a uniform half-plane, tangential
  * displacements under shear equal normal displacements under pressure. Elements, especially tall
- * ones, are too stiff under shear that alternates from node to node: at a height of 1.25 widths
- * the displacements are only half of those under alternating pressure. Between nodes at most
- * ARC_SHEAR_REACH columns apart, yy therefore replaces xx, minus a difference that is due to the
- * finite size of the bodies. */
+ * ones, are too stiff under shear that alternates from node to node: at a height of 1.25 widths the
+ * displacements are only half of those under alternating pressure. Between nodes at most
+ * ARC_SHEAR_REACH columns apart, xx is therefore replaced by yy minus a difference that is due to
+ * the finite size of the bodies. */
 void arc_compliance_level(compliance *c);
 /* Returns the memory of a compliance for n nodes [bytes]. */
 size_t arc_compliance_bytes(int n);

@@ -25,8 +25,8 @@
 
 enum {
   together = ARC_DENSE_BAND_SIDES, /* number of right-hand sides of K_ii that are solved together */
-  panel = 64                       /* number of columns of W that are processed together: those
-                                      of 32 surface nodes */
+  panel =
+      64 /* number of columns of W that are processed together: two for each of 32 surface nodes */
 };
 
 typedef struct condensation {
@@ -183,8 +183,8 @@ static void clear_sides(condensation *c, const reach *r) {
            (size_t)(together * (r->to - r->from)) * sizeof(double));
 }
 
-/* Subtracts times * x[k] from to[k] for the first n right-hand sides. n is at most `together`,
- * the number of right-hand sides that are solved at once. */
+/* Subtracts the multiple `times` of x from `to`, for the first n right-hand sides. Up to `together`
+ * right-hand sides are solved at once. */
 static void subtract(int n, double times, const double *x, double *to) {
   for (int k = 0; k < together && k < n; k++) to[k] -= times * x[k];
 }

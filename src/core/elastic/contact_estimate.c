@@ -22,9 +22,9 @@ static double line_length(const arc_model_def *def) {
   return def->geometry == ARC_AXISYMMETRIC ? 2 * pi * def->axis : def->thickness;
 }
 
-/* Returns the product of wave number and half width at which layers are as compliant under a
- * pressure wave as under the contact. The value is exact for layers that are so thin that they
- * act like independent springs. */
+/* Returns the wave number, multiplied by the half width of the contact, of a pressure wave under
+ * which layers are as compliant as under the contact. The value is exact for layers that are so
+ * thin that they act like independent springs. */
 static double waves_over(const arc_model_def *def) {
   return arc_model_is_round(def) ? 32 / (3 * pi) : 0.75 * pi;
 }
@@ -138,10 +138,10 @@ static double press_into_hole(const contact_pair *g, double half_width) {
   return c > 0 ? 2 * g->clearance / c : INFINITY;
 }
 
-/* Returns the load P / E* of a contact with the half width a and the gap g(s). For half-planes
- * it is the integral of s g' / sqrt(a^2 - s^2) ds, for round spots twice the integral of s^2 g'
- * / sqrt(a^2 - s^2) ds. Both integrands are smooth functions of t = sqrt(a^2 - s^2). `wide` is a
- * minus the half width of the part that touches without load. */
+/* Returns the load P / E* of a contact with the half width a and the gap g(s). For half-planes it
+ * is the integral of s g' / sqrt(a^2 - s^2) ds, for round spots twice the integral of s^2 g' /
+ * sqrt(a^2 - s^2) ds. Both integrands are smooth functions of t = sqrt(a^2 - s^2). `wide` is the
+ * half width a, minus the half width of the part that touches without load. */
 static double press(const contact_pair *g, double wide) {
   enum { steps = 100 };
   const double a = g->least + wide, most = sqrt(wide * (wide + 2 * g->least));
@@ -177,9 +177,9 @@ static double width_under(const contact_pair *g, double load) {
   return exp(high) * (g->most - g->least);
 }
 
-/* Returns the half width [mm] of a cylinder's (or ball's) contact that grows with the load as
- * fast as the given contact, so that the pressure falls as steeply at its edges. The load of a
- * cylinder (ball) is proportional to the square (cube) of the half width. */
+/* Returns the half width [mm] of a cylinder's (or ball's) contact that grows with the load as fast
+ * as the given contact, so that the pressure falls as steeply at its edges. The load is
+ * proportional to the square of the half width for cylinders, to the cube for balls. */
 static double edge_at(const contact_pair *g, double wide) {
   static const double step = 1e-3;
   const double a = g->least + wide, p = press(g, wide);

@@ -10,8 +10,8 @@ typedef struct contact_estimate {
   double half_width; /* half width of the contact, see arc_model_half_width */
   double flat;       /* width of the part that touches without load */
   double at;         /* position x of the middle of the contact, which is not 0 for some profiles */
-  double edge; /* half width of the contact of a cylinder or ball in which the pressure falls as
-                  steeply at the edges; differs from half_width only for rounded edges and kinks */
+  double edge; /* half width of a cylinder's or ball's contact with an equally steep fall of the
+                  pressure at its edges; differs from half_width only for rounded edges and kinks */
   double wave; /* length of the shortest waves that change the pressure; INFINITY without waves */
   double spot; /* width of the contact spots on the crests of waves; INFINITY without waves */
 } contact_estimate;

@@ -20,9 +20,9 @@ typedef struct elasticity {
 elasticity arc_elasticity_of(arc_material material);
 elasticity arc_elasticity_in(arc_space space, arc_material material);
 
-/* Returns the element type that "auto" selects for a Poisson's ratio. It is CPE4 for ratios up
- * to 0.4, at which locking of 20 um elements changes the pressure by at most 0.14 %, otherwise
- * CPE4I. Types other than "auto" are returned unchanged. */
+/* Returns the element type that "auto" selects for a Poisson's ratio. It is CPE4 for ratios up to
+ * 0.4, otherwise CPE4I. At a ratio of 0.4, locking of 20 um elements changes the pressure by at
+ * most 0.14 %. Types other than "auto" are returned unchanged. */
 arc_element arc_element_for(arc_element kind, double nu);
 
 /* arc_elasticity_bulk returns the bulk modulus [MPa], arc_elasticity_deviatoric the deviatoric

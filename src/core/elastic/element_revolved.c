@@ -120,8 +120,8 @@ static double dilatation(const double strain[components]) {
   return strain[0] + strain[1] + strain[2];
 }
 
-/* Computes the mean dilatation of the element under a unit of each of n displacements and writes
- * it to `mean`. Returns the volume of the element [mm3]. */
+/* Writes to `mean` the mean dilatation of the element under a unit value of each of the n
+ * displacements. Returns the volume of the element [mm3]. */
 static double mean_dilatation(int n, int points, const point *p, double mean[8]) {
   double volume = 0;
   memset(mean, 0, 8 * sizeof *mean);

@@ -19,16 +19,16 @@ static void elliptic(double m, double *K, double *E) {
   *E = *K * (1 - sum);
 }
 
-/* Returns the ratio of the larger to the smaller radius of curvature at which the contact
- * ellipse has the ratio s of its smaller to its larger half width. */
+/* Returns the ratio of the radii of curvature (larger / smaller) for which the half widths of the
+ * contact ellipse have the ratio s (smaller / larger). */
 static double ratio_of(double s) {
   double K, E;
   elliptic(1 - s * s, &K, &E);
   return (E / (s * s) - K) / (K - E);
 }
 
-/* Returns the ratio of the smaller to the larger half width for a ratio of the radii of
- * curvature. The logarithm of the result is computed by bisection. */
+/* Returns the ratio of the half widths (smaller / larger) for a ratio of the radii of curvature
+ * (larger / smaller). The logarithm of the result is computed by bisection. */
 static double slimness(double ratio) {
   double low = log(1e-8), high = log(1 - 1e-9);
   if (ratio < 1 + 1e-7) return 1;

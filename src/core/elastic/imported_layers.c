@@ -42,8 +42,8 @@ static void reach(const search *f, int e, double *low, double *high) {
   }
 }
 
-/* If the edge from p to q crosses the position s, extends the range from low to high to include
- * z of the edge at s. */
+/* If the edge from p to q crosses the position s, extends the range low .. high so that it contains
+ * the z of the edge at s. */
 static void cut_edge(const double *p, const double *q, double s, double *low, double *high) {
   if (s < fmin(p[0], q[0]) || s > fmax(p[0], q[0])) return;
   const double z = p[0] == q[0] ? p[1] : p[1] + (q[1] - p[1]) * ((s - p[0]) / (q[0] - p[0]));

@@ -31,7 +31,7 @@ static const char *list_names(const arc_mesh *mesh, char text[200]) {
   return text;
 }
 _Static_assert(ARC_MESH_MATERIALS *(ARC_TEXT_SIZE + 4) < 200,
-               "the list of all material names of a mesh must fit in its 200 characters");
+               "a list of the material names of a mesh must fit into 200 characters");
 
 /* Checks that every layer is a named material of the mesh. */
 static arc_status check_layer(const arc_layer *layer, const arc_mesh *mesh, arc_error *error) {
@@ -152,7 +152,7 @@ static arc_status check_side(const arc_model_def *def, const arc_mesh *mesh, arc
   }
   if (def->axis > 0 && least < -def->axis)
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'axis': expected at least the %g mm that the mesh of the %s reaches "
+                    "field 'axis': expected at least %g mm, as the mesh of the %s extends so far "
                     "towards the axis, got %g mm",
                     -least, arc_body_name(mesh->body), def->axis);
   if (def->axis > 0) return ARC_OK;

@@ -126,7 +126,7 @@ static arc_status refuse_memory(const arc_model_def *def, arc_error *error) {
   if (!(needed > free_bytes)) return ARC_OK;
   return arc_fail(error, ARC_MEMORY,
                   "the model needs about %.2g GB of memory, and %.2g GB are free: use a mesh.size "
-                  "above %.2g mm, or smaller zones (%g and %g mm)",
+                  "above %.2g mm, or zones smaller than %g and %g mm",
                   needed / 1e9, free_bytes / 1e9, def->mesh.size * sqrt(needed / free_bytes),
                   def->mesh.zone[ARC_CYLINDER], def->mesh.zone[ARC_PLATE]);
 }
@@ -289,12 +289,11 @@ static void warn_hollow(const arc_model *m, double half_width, const arc_callbac
   const double slope =
       fmax(hollow_slope(m, ARC_PLATE, half_width), hollow_slope(m, ARC_CYLINDER, half_width));
   if (slope > steep)
-    arc_warn(
-        callbacks,
-        "the contact lies in a hole whose surface slopes by %.0f degrees at its edges and is "
-        "treated as flat: pressures are too low; give body.ring{} and body.disc{} with the radius "
-        "beside the mesh",
-        atan(slope) / arc_radians(1));
+    arc_warn(callbacks,
+             "the contact is treated as flat, but lies in a hole and slopes by %.0f degrees at its "
+             "edges: pressures are too low; give body.ring{} and body.disc{} with the radius "
+             "beside the mesh",
+             atan(slope) / arc_radians(1));
 }
 
 void arc_model_warn(const arc_model *model, double load, double half_width,
@@ -310,8 +309,8 @@ void arc_model_warn(const arc_model *model, double load, double half_width,
              "off; %s",
              2 * half_width, fewest, size,
              model->def.mesh.fineness > 0
-                 ? "mesh.size was chosen for another load: give the model's fields to contact{} "
-                   "or wear{}, which choose it for their load, or a smaller size"
+                 ? "mesh.size was chosen for another load: give the model's fields to contact{} or "
+                   "wear{}, which choose mesh.size for their load, or use a smaller size"
                  : "use mesh.size = \"auto\" or a smaller one");
 }
 

@@ -7,9 +7,9 @@
 /* Returns a body of the model. */
 const elastic_body *arc_model_body(const arc_model *model, arc_body which);
 
-/* Warns if a contact of the given half width [mm] has fewer than four elements. Also warns if a
- * sharp edge of the unworn contact under a load [N] (0: the contact is worn) has too few
- * elements, or if the elements of a body lock. */
+/* Warns if a contact of the given half width [mm] has fewer than four elements, or if the elements
+ * of a body lock. Also warns if a sharp edge of the unworn contact under the load [N] has too few
+ * elements. For worn contacts the load is 0. */
 void arc_model_warn(const arc_model *model, double load, double half_width,
                     const arc_callbacks *callbacks);
 

@@ -34,8 +34,8 @@ static const char *kind_of(const arc_model_def *def, arc_body body) {
   return arc_solid_names[arc_model_solid(def, body).kind];
 }
 
-/* Returns true if the kind of a body can be its name. The other body must have another kind, and
- * a lower cylinder must not have its kind as its name, because "cylinder" means the upper body. */
+/* Returns true if the kind of a body can be its name. This is not possible if both bodies have the
+ * same kind, or for a lower cylinder, because "cylinder" means the upper body. */
 static int is_named_by_kind(const arc_model_def *def, arc_body body) {
   const char *kind = kind_of(def, body);
   if (strcmp(kind, kind_of(def, (arc_body)(1 - body))) == 0) return 0;
@@ -116,8 +116,8 @@ static arc_status check_profile_turns(const arc_body_def *b, const char *path, a
     const double x = y->distance[i], there = arc_body_inset(b, 0, -x);
     if (fabs(there + y->value[i]) > 1e-9 * b->height)
       return arc_fail(error, ARC_ARGUMENT,
-                      "field '%sy': expected heights that are the same at x and -x, about the axis "
-                      "of revolution, got %g and %g mm at x = %g mm",
+                      "field '%sy': expected the same height at x and -x for a body of revolution, "
+                      "got %g and %g mm at x = %g mm",
                       path, y->value[i], -there, x);
   }
   return ARC_OK;
@@ -143,7 +143,7 @@ static arc_status check_turns(const arc_model_def *def, const arc_body_def *b, c
   if (status != ARC_OK) return status;
   if (def->axis > 0 && reach_of(b) >= def->axis)
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'axis': expected 0 or more than the %g mm that the %s reaches towards "
+                    "field 'axis': expected 0 or more than %g mm, as the %s extends so far towards "
                     "the axis, got %g mm",
                     reach_of(b), path[0] == 'u' ? "upper body" : "lower body", def->axis);
   if (arc_body_has_points(b) && def->axis == 0) return check_profile_turns(b, path, error);

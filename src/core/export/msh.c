@@ -182,9 +182,9 @@ static void write_curve(const msh_output *o, int body, int curve, int first, int
   add_curve(o, body, curve, &written);
 }
 
-/* Returns the index after the last element of the block that begins at element e. The elements
- * of a block have the same type and material. Blocks preserve the order of the elements, so that
- * sums over the elements of the file give identical results. */
+/* Returns the index after the last element of the block that begins at element e. The elements of a
+ * block have the same type and material. Blocks preserve the order of the elements, so that sums
+ * over the elements are identical for a mesh that is read from the file. */
 static int block_end(const arc_mesh *m, int e) {
   const int corners = arc_mesh_corners(m, e), material = material_of(m, e);
   while (e < m->elements && arc_mesh_corners(m, e) == corners && material_of(m, e) == material) e++;

@@ -1,5 +1,5 @@
 /* Writes VTK unstructured grids in XML. The binary data follow the XML description. The data of
- * each array begin with its number of bytes. */
+ * each array begin with the size of the array in bytes. */
 #include "core/export/output.h"
 
 #include <stdint.h>

@@ -31,7 +31,7 @@ static void set_total(friction_task *k) {
   if (k->over) s->total = copysign((1 - 1e-9) * carried, s->total);
 }
 
-/* Sets up the shear problem for the present normal forces. The signs of w->slip are its initial
+/* Sets up the shear problem for the present normal forces. The signs of w->slip are the initial
  * directions of slip (0: stick). */
 static void set_shear(friction_task *k) {
   const contact_problem *p = k->p;
@@ -155,8 +155,8 @@ static int solve(friction_task *k) {
   return solved == 0 && k->by_force ? arc_friction_bracket(k) : solved;
 }
 
-/* Adds the change of the compliance since the last condensation, times the forces, to w->gap, the
- * gaps without shear. Returns 0 if the compliance has not changed. */
+/* Corrects w->gap, the gaps without shear, by the forces times the change of the compliance since
+ * the last condensation. Returns 0 if the compliance has not changed. */
 static int add_compliance_change(friction_task *k) {
   contact_problem *p = k->p;
   const size_t bytes = (size_t)p->count * sizeof *p->gap;

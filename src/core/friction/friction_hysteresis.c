@@ -4,8 +4,8 @@
  * removed when the force returns to its start (rules of Masing and Madelung). Later states
  * therefore depend only on the reversals of loops that are still open. A first motion, on surfaces
  * without shear, is half of a motion after a reversal. If shear remains from an earlier load, the
- * energy of the first motion is not corrected, and that of later motions only while the force stays
- * within the range covered under the present load. */
+ * energy of the first motion is not corrected. The energy of later motions is corrected only while
+ * the force stays within the range covered under the present load. */
 #include "core/friction/friction.h"
 
 #include <math.h>

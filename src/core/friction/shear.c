@@ -60,9 +60,9 @@ static void find_shift(shear_problem *s) {
   s->shift = rest / sum;
 }
 
-/* Computes target [stuck], the forces that prevent slip of the nodes that stick, with the other
- * nodes at their bounds. Returns 1 if solved, 0 if a force is given and no node sticks, -1 if A_tt
- * is not positive definite. */
+/* Writes to target [stuck] the forces that prevent slip of the nodes that stick. The other nodes
+ * are at their bounds. Returns 1 if solved, 0 if a force is given and no node sticks, -1 if A_tt is
+ * not positive definite. */
 static int solve_stuck(shear_problem *s) {
   if (arc_shear_factorise(s)) return -1;
   s->shift = 0;
@@ -116,7 +116,7 @@ static int newton(shear_problem *s) {
   return 0;
 }
 
-/* Sets all nodes to stick, with forces within the bounds that have the given sum. */
+/* Sets all nodes to stick. Their forces are within the bounds and have the given sum. */
 static void start_inside(shear_problem *s) {
   double all = 0;
   for (int i = 0; i < s->n; i++) all += s->bound[i];

@@ -60,10 +60,10 @@ static double until_slip(const sum_ends *e, int q) {
 }
 
 /* Returns the fraction of the correction that is applied: 1 for smooth contacts, less at kinks of
- * the surfaces, and 0 at edges of scars. `step` is the change of force [N/mm] between the beginning
- * of slip at the outer and at the inner node, `next` the change between the inner node and the node
- * after it. In smooth contacts of three to forty nodes the ratio next / step was 1.2 to 1.9, at any
- * position of the edges between nodes, and up to 2.7 with the plate's nodes halfway between the
+ * the surfaces, and 0 at edges of scars. After the outer node, the inner node begins to slip when
+ * the force has changed by `step` [N/mm], and the node after it when the force has changed further
+ * by `next`. In smooth contacts of three to forty nodes the ratio next / step was 1.2 to 1.9, at
+ * any position of the edges between nodes, and up to 2.7 with the plate's nodes halfway between the
  * cylinder's. */
 static double is_smooth(double step, double next) {
   return fmax(0, fmin(1, fmin(2 * next / step - 1, 4 - next / step)));
@@ -141,9 +141,9 @@ static int slip_beside(const friction_task *k, int from, int side, int *apart) {
   return c < 0 || c >= k->p->count || f[c] == 0 ? 0 : slip[c] > 0 ? 1 : -1;
 }
 
-/* Estimates the reserves of the nodes for an unknown history of motion: the shear force missing to
- * the friction bound in the slip direction of the nearest slipping node, or to the nearer bound if
- * no node slips. */
+/* Estimates the reserves of the nodes for an unknown history of motion. A reserve is the friction
+ * bound minus the shear force in the slip direction of the nearest slipping node or, if no node
+ * slips, minus the magnitude of the shear force. */
 static void guess_reserve(friction_task *k) {
   const double mu = k->step->mu;
   const friction_workspace *w = k->w;

@@ -73,9 +73,9 @@ static arc_status link_edge(msh_body *b, const edge *e) {
                   b->file->text.path, role(b), arc_msh_tag(b, e->from), at[0], at[1]);
 }
 
-/* Sets b->next of each boundary node to the next node on the boundary. Errors: ARC_GEOMETRY if
- * elements overlap, so that an edge belongs to more than two elements or two elements traverse
- * it in the same direction, or if two parts of the body share only one node. */
+/* Sets b->next of each boundary node to the next node on the boundary. Returns ARC_GEOMETRY if two
+ * parts of the body share only one node, or if elements overlap. In an overlap an edge belongs to
+ * more than two elements, or two elements traverse it in the same direction. */
 static arc_status link_boundary(msh_body *b, const edge *list, int n) {
   for (int k = 0; k < b->mesh->nodes; k++) b->next[k] = -1;
   arc_status status = ARC_OK;

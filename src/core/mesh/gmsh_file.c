@@ -65,7 +65,7 @@ static arc_status read_format(msh_file *f, arc_error *error) {
   char *before = f->text.at;
   if (!arc_msh_real(&f->text, &version) || !arc_msh_whole(&f->text, &binary) ||
       !arc_msh_whole(&f->text, &bytes))
-    return bad_item(f, "version, file type and bytes of a number, such as \"4.1 0 8\"", error);
+    return bad_item(f, "version, file type and bytes per number, such as \"4.1 0 8\"", error);
   if (binary != 0)
     return arc_msh_fail(
         &f->text, error,

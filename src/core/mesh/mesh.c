@@ -84,8 +84,8 @@ typedef struct partitions {
   double inner_s, inner_d, outer_s, outer_d;
 } partitions;
 
-/* Returns the number of rows of the wear box. Each layer has its own row, so the defined number
- * of very thin rows might end within the layers. In this case the number is increased. */
+/* Returns the number of rows of the wear box. Each layer has its own row. If the layers are so thin
+ * that the defined number of rows would end within them, the number is increased. */
 static int rows_of_box(const arc_mesh_def *def, const arc_body_def *solid) {
   int rows = def->rows;
   while (rows <= arc_body_layers(solid) &&

@@ -31,8 +31,8 @@ void arc_quadtree_free(quadtree *tree);
 /* Returns the leaf that contains the unit cell (i, j), or NULL for a cell outside the tree. */
 const quad_cell *arc_quadtree_leaf(const quadtree *tree, int i, int j);
 
-/* Returns the edges of a leaf that have a hanging node as bits: bit 0 for the edge at the
- * smallest j, bit 1 at the largest i, bit 2 at the largest j, bit 3 at the smallest i. */
+/* Returns as bits which edges of a leaf have a hanging node: bit 0 for the edge at the smallest j,
+ * bit 1 at the largest i, bit 2 at the largest j, bit 3 at the smallest i. */
 unsigned arc_quadtree_hanging(const quadtree *tree, const quad_cell *leaf);
 
 #endif

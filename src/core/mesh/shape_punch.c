@@ -12,8 +12,8 @@ static void resolve(arc_body_def *b, double radius) {
   b->width = b->flat + 2 * b->radius;
 }
 
-/* Returns the limits of a punch: the flat plus its rounded edges. Each edge contributes the same
- * multiple of its radius as the arc of a cylinder. */
+/* Returns the limits of a punch: the flat plus its rounded edges. For each edge, the same multiples
+ * of the radius are allowed as for a cylinder. */
 static body_limits limits(const arc_body_def *b) {
   return (body_limits){.zone = b->flat + 1.6 * b->radius,
                        .zone_text = "flat + 1.6 radius",

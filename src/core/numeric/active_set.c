@@ -42,8 +42,8 @@ static unsigned long long hash_of(const pass *s) {
   return hash;
 }
 
-/* Stores the gaps in w->g and the rigid unknowns in `delta`. First restores the loads, because the
- * rounding errors of many projections have changed them. */
+/* Stores the gaps in w->g and the rigid unknowns in `delta`. First restores the loads, which
+ * rounding errors of many projections have changed. */
 static void finish(const pass *s, double *delta) {
   active_work *w = s->w;
   arc_active_run(s, arc_active_restore_load);
@@ -62,8 +62,9 @@ static arc_status revise_sets(pass *s, int *done, active_count *count, arc_error
   arc_active_run(s, arc_active_mark);
   arc_status status = arc_active_gaps(s, &s->limit, count, error);
   if (status == ARC_OK) status = arc_active_begin(s, error);
-  /* On periodic surfaces the initial pressures may cause no displacement. The limit of the gaps,
-   * which is relative to the displacement, would then be 0. */
+  /* On periodic surfaces the initial pressures may cause no displacement. Then the limit of the
+   * gaps, which is relative to the displacement, would be 0, so a limit relative to the residual is
+   * used. */
   if (status == ARC_OK) s->limit = fmax(s->limit, s->problem->tolerance * arc_active_rms(s));
   for (int sets = 0; sets < most_sets && status == ARC_OK;) {
     const double wanted = fmax(s->limit / 2, share * arc_active_rms(s));

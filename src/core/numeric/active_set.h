@@ -16,8 +16,8 @@
 
 enum { ARC_MOST_MODES = 3 };
 
-/* Computes `to` = A `from` for all blocks, both [blocks * cells]. Returns ARC_OK, or an error that
- * ends the solution. */
+/* Computes `to` = A `from` for all blocks; both arrays are [blocks * cells]. Returns ARC_OK, or an
+ * error that ends the solution. */
 typedef arc_status (*operator_fn)(void *context, const double *from, double *to);
 
 typedef struct active_problem {
@@ -59,8 +59,8 @@ arc_status arc_active_set_solve(const active_problem *problem, active_work *work
 /* Returns the gaps of the last solution [blocks][cells]. */
 const double *arc_active_set_gaps(const active_work *work);
 
-/* Computes the change dp [blocks][cells] of the pressures that a change `gap` of the gaps causes,
- * on the active set {p > 0} of a solution. On the set A dp + gap - N delta = 0, in other cells dp =
+/* Computes the change dp [blocks][cells] of the pressures of a solution if its gaps change by
+ * `gap`. On the active set {p > 0} of the solution, A dp + gap - N delta = 0. In other cells dp =
  * 0, and the loads do not change. problem->tolerance is relative to `gap`, and problem->load is not
  * used. */
 arc_status arc_active_set_tangent(const active_problem *problem, active_work *work, const double *p,

@@ -198,8 +198,8 @@ static double rounding_of(const pass *s, size_t o) {
 }
 
 /* Adds `gap` to g, which contains A p before the call. Stores the largest displacement |A p| in
- * w->largest. The stored value is so large that the tolerance of gaps is not below the rounding
- * error. */
+ * w->largest. The stored value has a lower limit, so that the tolerance of gaps is never below the
+ * rounding error. */
 static void add_gap(void *context, int block, int worker) {
   const pass *s = context;
   const size_t o = active_at(s, block);

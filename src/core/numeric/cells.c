@@ -88,8 +88,8 @@ ARC_WIDE static double residual(int n, const double *area, const double *g, doub
   return total(s);
 }
 
-/* Functions for other files, which cannot call a function that is compiled for several
- * processors. */
+/* Functions for other files. These files cannot directly call a function that is compiled for
+ * several processors. */
 double arc_cells_sum(int n, const double *a) {
   return add_up(n, a);
 }

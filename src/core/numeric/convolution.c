@@ -15,9 +15,9 @@ enum { block = 8 }; /* number of columns that are transformed together */
 
 struct convolution {
   int rows, columns, box_rows, box_columns;
-  int half;   /* number of columns of the spectrum: box_columns / 2 + 1 */
-  int stride; /* distance between the beginnings of two rows of the spectrum, in complex numbers */
-  int padded; /* distance between the beginnings of two rows of the values, in real numbers */
+  int half;       /* number of columns of the spectrum: box_columns / 2 + 1 */
+  int stride;     /* distance between the starts of two rows of the spectrum, in complex numbers */
+  int padded;     /* distance between the starts of two rows of the values, in real numbers */
   double *symbol; /* scaled symbol, stored in blocks of columns; each block is [box_rows][columns of
                      the block] */
   int imaginary;  /* true if the symbol is multiplied by the imaginary unit */
@@ -85,8 +85,8 @@ static fftw_plan plan_columns(const convolution *c, int width, int sign, fftw_co
                             FFTW_ESTIMATE);
 }
 
-/* Creates the plans of a convolution. Returns 0 on failure. FFTW protects the memory that all plans
- * of a process share with a lock. */
+/* Creates the plans of a convolution. Returns 0 on failure. A lock of FFTW protects the memory that
+ * all plans of a process share. */
 static int plan(convolution *c, convolution_work *w) {
   const int n = c->box_columns, widths[2] = {block, last_block(c)};
   fftw_make_planner_thread_safe();

@@ -47,7 +47,7 @@ convolution_work *arc_convolution_work(const convolution *largest);
 void arc_convolution_work_free(convolution_work **work);
 
 /* Computes the convolution u of the kernel with p, both [rows * columns]. u and p may be the same
- * array. The workspace must have been made for a convolution at least as large. */
+ * array. The workspace must be large enough for this convolution. */
 void arc_convolution_apply(const convolution *c, convolution_work *work, const double *p,
                            double *u);
 

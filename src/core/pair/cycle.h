@@ -20,8 +20,8 @@ typedef struct wear_manner {
   int rests;        /* true if the contact is solved at one position only */
   int even; /* true if the lower body wears uniformly or along a track, so that its sites have no
                depths of their own; see wear_rate.even */
-  int counts_forces;       /* true if the normal force differs from the load, so that it must be
-                              integrated (wear_rate.pressed) */
+  int counts_forces;       /* true if the normal force differs from the load and must be integrated
+                              (wear_rate.pressed) */
   int layered[ARC_BODIES]; /* true if the body has layers, which may have different wear
                               coefficients */
   int closed; /* true if wear does not change the contact, so that no solution is needed */
@@ -42,8 +42,8 @@ typedef struct wear_block {
   int problems;
   int periodic;
   double load, travel; /* largest load [N]; distance between the ends of the motion [mm] */
-  double repeat;  /* factor on the wear of the points: 2 if they are half a cycle, 1/2 if they are
-                     two strokes but a cycle is one stroke, else 1 */
+  double repeat;  /* factor on the wear of the points: 2 if they cover half a cycle, 1/2 if they
+                     cover two strokes and a cycle is one stroke, else 1 */
   double sliding; /* sliding distance of a cycle [mm] */
   double cycles;  /* number of cycles, which may be INFINITY in the last block */
   double start_distance, start_cycle; /* distance [mm] and cycle number at the block's start */
@@ -98,8 +98,8 @@ typedef struct wear_progress {
   int solutions;
 } wear_progress;
 
-/* The equation of a stage of an implicit step, z = known + h k rate(z), for the depths z after h
- * cycles. All arrays are [n]. */
+/* The equation of a stage of an implicit step, z = known + h k rate(z), where z are the depths
+ * after h cycles. All arrays are [n]. */
 typedef struct wear_stage {
   arc_wear *run;
   wear_window window; /* window that is solved; the kind sets its member `depth` */

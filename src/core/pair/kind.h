@@ -22,12 +22,12 @@ typedef struct arc_growth {
                      arc_wear **result, arc_error *error);
   arc_status (*remesh)(const arc_wear *w, const arc_mesh_def *mesh, const arc_callbacks *callbacks,
                        arc_wear **result, arc_error *error);
-  /* Optional: sets *finer to a copy of a new run with smaller sites, which resolve its cycles. Sets
-   * it to NULL if the sites are small enough, or if the user set their size. */
+  /* Optional: sets *finer to a copy of a new run with sites that are small enough for its cycles.
+   * Sets *finer to NULL if the sites already are, or if the user set their size. */
   arc_status (*resolve)(arc_wear *w, arc_wear **finer, arc_error *error);
-  /* `report` reports that a run has grown, and `report_mesh` that the user changed the mesh.
-   * `refuse` writes the error of a step that failed although the run could grow, from the error of
-   * the step (why) and the error of the growth (trouble). */
+  /* `report` reports that a run has grown, and `report_mesh` that the user changed the mesh. If a
+   * step of a run that can grow has failed, `refuse` combines the errors of the step (`why`) and of
+   * the growth (`trouble`) in one error. */
   void (*report)(const arc_wear *before, const arc_wear *now, const arc_callbacks *callbacks);
   void (*report_mesh)(const arc_wear *before, const arc_wear *now, const arc_callbacks *callbacks);
   arc_status (*refuse)(const arc_wear *w, const arc_error *why, const arc_error *trouble,
@@ -57,7 +57,7 @@ typedef struct arc_kind {
 
   /* --- definitions, on the definition of a model ---------------------------------------------- */
 
-  /* Optional: sets defaults of a run that differ from those of the settings. */
+  /* Optional: sets the defaults of a run that differ from the defaults in the list of settings. */
   void (*usual)(arc_wear_def *def);
 
   /* Checks combinations of settings of a run. Errors: ARC_ARGUMENT. */
@@ -80,8 +80,8 @@ typedef struct arc_kind {
    * definition, surfaces and blocks of the run are complete. On ARC_MEMORY `end` must be called. */
   arc_status (*begin)(arc_wear *w);
   void (*end)(arc_wear *w);
-  size_t (*bytes)(const arc_wear *w); /* Optional: returns the memory of surfaces, tangents and data
-                                         of the kind [bytes] */
+  size_t (*bytes)(const arc_wear *w); /* Optional: returns the memory [bytes] that surfaces,
+                                         tangents and data of the kind need */
   /* Optional: checks that the zones contain the contact over the whole motion. Errors: ARC_ZONE. */
   arc_status (*check_reach)(arc_wear *w, arc_error *error);
   /* Optional: warns about the definition and, if `unworn` is true, about sites that are too
@@ -115,8 +115,8 @@ typedef struct arc_kind {
    * before the depths are applied to the shape. */
   void (*add_volumes)(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
                       arc_wear_record *record);
-  /* Optional: predicts data of a shape that depend on its wear, such as the compliance, for the
-   * middle of an update. `depth` contains the wear up to the middle. */
+  /* Optional: predicts, for the middle of an update, data of a shape that depend on its wear, such
+   * as the compliance. `depth` contains the wear up to the middle. */
   arc_status (*look_ahead)(const arc_wear *w, arc_shape *shape, wear_depths *depth,
                            arc_error *error);
   /* Applies the wear depths to a shape, and adds their volumes to the record. Depths through layers
@@ -134,9 +134,9 @@ typedef struct arc_kind {
   /* Computes the wear rates of a window. */
   arc_status (*rate)(arc_wear *w, const wear_window *window, wear_progress *progress,
                      wear_rate *rate, arc_error *error);
-  /* Optional: returns the largest difference between the pressure at a site and the mean pressure
-   * of its two neighbours, divided by the mean pressure, for the surfaces of the record
-   * `measured`. */
+  /* Optional: for the surfaces of the record `measured`, returns the largest difference between the
+   * pressure at a site and the mean pressure of its two neighbours, divided by the mean pressure.
+   */
   double (*ripple)(const arc_wear *w, const arc_shape *shape, const arc_wear_record *measured);
   /* Optional: computes the fretting loop of a cycle. */
   arc_status (*loop)(arc_wear *w, const wear_window *window, wear_progress *progress,
@@ -172,8 +172,8 @@ typedef struct arc_kind {
    * limit. */
   double (*even_k_integral)(const arc_wear *w, double depth);
   double (*layer_k_integral)(const arc_wear *w, int scars);
-  /* Optional: returns the wear coefficient of the exposed layer at the deepest point of a body,
-   * divided by the largest coefficient of the body. NULL: 1. */
+  /* Optional: returns the wear coefficient at the deepest point of a body, divided by the largest
+   * coefficient of the body. They differ if the exposed layer wears more slowly. NULL: 1. */
   double (*open_share)(const arc_wear *w, arc_body body);
 
   const arc_growth *growth; /* NULL: the number of sites is constant */

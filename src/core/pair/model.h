@@ -1,5 +1,5 @@
-/* Declares the members that all kinds of models have in common, and those that all kinds of
- * surfaces have in common. */
+/* Declares the common members of all kinds of models, and the common members of all kinds of
+ * surfaces. */
 #ifndef PAIR_MODEL_H
 #define PAIR_MODEL_H
 

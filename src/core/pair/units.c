@@ -13,19 +13,21 @@ static const double softest = 500,
 static void warn_modulus(const char *name, double E, const arc_callbacks *callbacks) {
   if (E < softest)
     arc_warn(callbacks,
-             "E = %g MPa of the %s is that of a soft plastic or rubber: was %g GPa meant (E = %g)?",
+             "E = %g MPa of the %s is the modulus of a soft plastic or rubber: was %g GPa meant (E "
+             "= %g)?",
              E, name, E, 1e3 * E);
   if (E > stiffest)
-    arc_warn(callbacks, "E = %g MPa of the %s is above that of diamond: was %g Pa meant (E = %g)?",
-             E, name, E, 1e-6 * E);
+    arc_warn(callbacks,
+             "E = %g MPa of the %s is above the modulus of diamond: was %g Pa meant (E = %g)?", E,
+             name, E, 1e-6 * E);
 }
 
 void arc_units_doubt(const arc_model_def *model, char *text, size_t size) {
   const double E = fmin(model->material[ARC_UPPER].E, model->material[ARC_LOWER].E);
   text[0] = '\0';
   if (E < softest)
-    snprintf(text, size, "; E = %g MPa is that of a soft plastic or rubber: was %g GPa meant?", E,
-             E);
+    snprintf(text, size,
+             "; E = %g MPa is the modulus of a soft plastic or rubber: was %g GPa meant?", E, E);
 }
 
 void arc_units_warn_pair(const arc_model_def *model, double p_max, const arc_callbacks *callbacks) {
@@ -47,7 +49,7 @@ void arc_units_warn_pair(const arc_model_def *model, double p_max, const arc_cal
 void arc_units_warn_friction(double friction, const arc_callbacks *callbacks) {
   static const double highest = 3; /* largest usual coefficient of friction */
   if (friction > highest)
-    arc_warn(callbacks, "friction = %g is a coefficient, force by load: was %g %% meant (%g)?",
+    arc_warn(callbacks, "friction = %g is a coefficient, force / load: was %g %% meant (%g)?",
              friction, friction, friction / 100);
 }
 
@@ -65,6 +67,6 @@ void arc_units_warn_wear(double k, double stroke, double half_width,
     arc_warn(
         callbacks,
         "stroke = %g mm, from end to end, is %.2g of the contact's half width: was %g mm meant? "
-        "Surfaces may stick in such a short stroke: set friction to include this",
+        "Surfaces may stick in such a short stroke: set friction to include sticking",
         stroke, stroke / half_width, 1e3 * stroke);
 }

@@ -9,8 +9,8 @@
  * smaller modulus. */
 void arc_units_warn_pair(const arc_model_def *model, double p_max, const arc_callbacks *callbacks);
 
-/* Writes a text for the end of an error message to `text`: whether the smaller modulus is probably
- * in GPa. Writes "" if it is a usual modulus. */
+/* Writes the end of an error message to `text`: a question whether the smaller modulus is in GPa,
+ * or "" if this modulus is usual. */
 void arc_units_doubt(const arc_model_def *model, char *text, size_t size);
 
 /* Checks a coefficient of friction. */

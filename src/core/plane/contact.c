@@ -178,10 +178,9 @@ static arc_status explain_position(const arc_contact *c, arc_error *error) {
                   arc_model_widest_zone(model, ARC_PLATE) / 2, c->problem.x);
 }
 
-/* Computes the widths [mm] of the zones that a contact needs. These are the automatic zones or,
- * if no automatic zone is wider than the present zone, twice the present widths. Returns 0 if a
- * body is too narrow for the contact and two elements on either side, or if no zone becomes
- * wider. */
+/* Computes the widths [mm] of the zones that a contact needs. If no automatic zone is wider than
+ * the present one, the present widths are doubled. Returns 0 if no zone becomes wider, or if a body
+ * is too narrow for the contact plus two elements on either side. */
 static int find_zones(const arc_contact_def *def, const arc_model_def *model,
                       double zone[ARC_BODIES]) {
   const double contact = 2 * arc_model_half_width(model, def->load) + 4 * model->mesh.size;

@@ -39,10 +39,10 @@ typedef struct plane_cycle {
   contact_problem reference; /* contact problem with the plate at x = 0 under the nominal load */
   double *slip;              /* workspace of 4 values per surface node, for the slip of an
                                 increment or for mirror images */
-  double *down;  /* vertical drop of the surface at each node per depth of wear along its normal,
-                    see arc_shape_downward */
-  double *width; /* width of the surface cell of each node in the previous window [mm] */
-  double *plate, *below; /* wear depths at the plate's nodes, and the same interpolated to the
+  double *down; /* vertical lowering of the surface at each node, divided by the depth of wear along
+                   the normal, see arc_shape_downward */
+  double *width;         /* width of the surface cell of each node in the previous window [mm] */
+  double *plate, *below; /* wear depths at the plate's nodes, and these depths interpolated to the
                             cylinder's nodes [mm] */
 } plane_cycle;
 
@@ -53,10 +53,9 @@ static inline wear_path *path_of(const arc_wear *w) {
   return &plane_of(w)->path;
 }
 
-/* Jacobian of the wear rate with respect to the depths, with reversed sign. The depths are along
- * y, and the compliance is constant. Neighbouring points with nearly the same contact form a
- * group, which uses the contact solution of one point. This is accurate enough for Newton's
- * method. */
+/* Negative Jacobian of the wear rate with respect to depths along y, at constant compliance.
+ * Neighbouring points with nearly the same contact form a group, which uses the contact solution of
+ * one point. This is accurate enough for Newton's method. */
 struct wear_tangent {
   int nc, np;
   double width;  /* range of the plate positions in a group [mm]; 0: no groups */
@@ -100,10 +99,10 @@ arc_status arc_wear_take(arc_wear *w, const wear_window *window, const contact_p
 arc_status arc_wear_find_local_factors(const arc_wear *w, const arc_wear_record *state,
                                        wear_point *point, arc_error *error);
 
-/* Adds the wear due to `work`, the work per area at the cylinder's nodes [MPa mm], to the rates
- * of both bodies. The coupling (Eq. 15 of the paper on alpha) transfers the same work to the
- * plate. The work is multiplied by the local factors of `point`. `on` is workspace for one value
- * per plate node. */
+/* Adds to the rates of both bodies the wear due to `work`, the work per area at the cylinder's
+ * nodes [MPa mm]. The coupling (Eq. 15 of the paper on alpha) transfers the same work to the plate.
+ * The work is multiplied by the local factors of `point`. `on` is workspace for one value per plate
+ * node. */
 void arc_wear_share(const arc_wear *w, const contact_problem *p, const wear_point *point,
                     const double *work, double *on, wear_rate *rate);
 
@@ -146,10 +145,10 @@ void arc_tangent_free(wear_tangent **tangent);
 size_t arc_tangent_bytes(const arc_wear *w);
 double arc_tangent_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
 void arc_wear_jacobian_clear(wear_tangent *j);
-/* Adds the Jacobian of the wear at point `at`, the last solved point, to the Jacobian of the
- * window. Points must be added in order. `share` is the largest sliding distance of a node [mm].
- * sliding[body] contains the sliding distance of each node [mm]; NULL: all nodes slide by
- * `share`. */
+/* Adds to the Jacobian of the window the Jacobian of the wear at point `at`, the last solved point.
+ * Points must be added in order. `share` is the largest sliding distance of a node [mm].
+ * sliding[body] contains the sliding distance of each node [mm]; NULL: all nodes slide by `share`.
+ */
 void arc_wear_jacobian_add(const arc_wear *w, const wear_window *window, int at, double share,
                            double *const sliding[ARC_BODIES]);
 /* Completes the Jacobian after the last point of a window. */
@@ -188,8 +187,8 @@ double arc_plane_roughness(const arc_wear *w, arc_body body);
 /* Returns the largest wear depth of the plate [mm]; for a track, the mean depth over the contact
  * width. `record` must contain the plate's worn volume and the half width. */
 double arc_plane_depth(const arc_wear *w, const arc_shape *shape, const arc_wear_record *record);
-/* Returns the area of the uniformly worn surface per mm of thickness or, for a track, per mm of
- * track width. This is the width of the plate or the length of the track [mm]. */
+/* Returns the length of the uniformly worn surface [mm]: the width of the plate or, with a track,
+ * the length of the track. */
 double arc_plane_even_width(const arc_wear *w);
 arc_status arc_plane_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
                              arc_error *error);
@@ -216,12 +215,12 @@ arc_status arc_plane_load(arc_model *model, const arc_wear_def *def, const arc_a
 arc_status arc_plane_validate(const arc_wear *w, arc_error *error);
 
 /* --- remesh.c --------------------------------------------------------------------------------- */
-/* Returns true if a larger mesh can help after a step has failed with the error `why`, because
- * the contact has left the meshed zone (ARC_ZONE) or the wear box (ARC_GEOMETRY). */
+/* Returns true if a step that failed with the error `why` can succeed on a larger mesh: the contact
+ * has left the meshed zone (ARC_ZONE), or the wear is too deep for the wear box (ARC_GEOMETRY). */
 int arc_wear_has_outgrown(const arc_wear *w, arc_status why);
 
-/* Returns the number of rows with which the wear box contains the layers that wear uniformly.
- * Returns 0 if the present box contains them. */
+/* Returns the number of rows that the wear box needs to contain all uniformly worn layers. Returns
+ * 0 if the present box contains them. */
 int arc_wear_layer_rows(const arc_wear *w);
 
 /* Returns true if both bodies are wide enough for the zones that the run needs. */
@@ -245,9 +244,9 @@ void arc_wear_report_meshes(const arc_wear *before, const arc_wear *now, const c
 void arc_wear_report_growth(const arc_wear *before, const arc_wear *now,
                             const arc_callbacks *callbacks);
 
-/* Reports the error `why` of a failed step. If the contact left the mesh, the message also
- * states why the mesh was not enlarged. The reason is the error `trouble` or, if `trouble` is
- * empty, a step that is too long; the message then includes the required zones. */
+/* Reports the error `why` of a failed step. If the contact left the mesh, the message also states
+ * why the mesh was not enlarged. The reason is the error `trouble`. If `trouble` is empty, the step
+ * was too long, and the message includes the required zones. */
 arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_error *trouble,
                            arc_error *error);
 
@@ -261,9 +260,9 @@ arc_status arc_wear_resolve(arc_wear *w, arc_wear **finer, arc_error *error);
 double arc_wear_rim_size(const arc_wear *w);
 
 /* --- layers.c --------------------------------------------------------------------------------- */
-/* Returns the wear depth [mm] of an update at node i, computed with the wear coefficients of the
- * layers from depth `h` on. `due` is the depth [mm] that would wear with the largest wear
- * coefficient. */
+/* Returns the wear depth [mm] of an update that begins at depth `h` of node i, computed with the
+ * wear coefficients of the layers. `due` is the wear depth [mm] for the largest wear coefficient.
+ */
 double arc_wear_through_layers(const arc_shape *shape, arc_body body, int i, double h, double due);
 
 /* Applies arc_wear_through_layers to the depths of all nodes of both surfaces, cylinder first. */

@@ -85,9 +85,9 @@ static arc_status recover(const arc_contact *c, arc_body body, const double *xy,
   return status;
 }
 
-/* Stores for each node in szz, which is used as workspace, the number of an element of its
- * material, plus 1. A node on an interface has the material of the layer nearer to the surface.
- * Elements are numbered from the surface inwards. */
+/* Stores for each node 1 + the index of an element with the node's material. The array szz is used
+ * as workspace for these numbers. A node on an interface has the material of the layer nearer to
+ * the surface. Elements are numbered from the surface inwards. */
 static void fill_elements(const elastic_body *body, arc_field *field) {
   const arc_mesh *m = body->mesh;
   for (int e = m->elements - 1; e >= 0; e--)

@@ -1,11 +1,11 @@
 /* Wear of a cycle with friction. The bodies are pressed together on the present surfaces. Then the
- * cycle is solved with stick and slip, and repeated until it is periodic. The wear is computed
- * from the last repetition.
+ * cycle is solved with stick and slip, and repeated until it is periodic. The wear is computed from
+ * the last repetition.
  *
- * Each computation starts with separated bodies. The shear forces of the periodic cycle depend only
- * on this cycle at nodes that slip, and also on the pressing at nodes that never slip. Therefore no
- * shear forces are stored between updates, an update of the shape causes no slip, and a stored run
- * continues with identical results.
+ * Each computation starts with separated bodies. In the periodic cycle, the shear force at a node
+ * that slips depends only on the cycle; at a node that never slips, it also depends on the
+ * pressing. Therefore no shear forces are stored between updates, an update of the shape causes no
+ * slip, and a stored run continues with identical results.
  *
  * The work, pressure times slip, is computed at the nodes of the cylinder, including nodes that are
  * in contact only at the start or the end of an increment. The mortar coupling transfers the same
@@ -20,8 +20,8 @@
 
 enum { most_cycles = 40 };
 
-/* A cycle is periodic if its start and its end differ by less than this fraction of the largest
- * load: the sum over all nodes of the differences of normal force and shear force. */
+/* Tolerance for a periodic cycle, as a fraction of the largest load. The differences of normal
+ * force and shear force between start and end are summed over all nodes. */
 static const double steady = 1e-6;
 
 typedef struct fretting {
@@ -96,8 +96,8 @@ static int shear_when_pressed(const arc_wear *w) {
          !arc_model_is_hertzian(model);
 }
 
-/* Applies the load of point b->press of the cycle to separated bodies. If friction acts meanwhile,
- * the number of increments is the default of arc_contact_solve, otherwise 1. */
+/* Applies the load of point b->press of the cycle to separated bodies. With friction, the number of
+ * increments is the default of arc_contact_solve. Without friction it is 1. */
 static arc_status press(fretting *r, arc_error *error) {
   const wear_block *b = path_of(r->w)->block;
   const int has_friction = r->w->def.press == ARC_PRESS_FRICTION && shear_when_pressed(r->w);
@@ -267,8 +267,8 @@ static void scale_rate(fretting *r, double share) {
   r->rate->energy *= share;
 }
 
-/* Adds `energy`, dissipated between the nodes, and the wear caused by it to the two outermost nodes
- * in contact, half to each node. */
+/* Adds `energy`, which is dissipated between the nodes, and its wear: half at each of the two
+ * outermost nodes in contact. */
 static void add_edges(fretting *r, double energy) {
   const arc_wear *w = r->w;
   const int at = path_of(w)->block->count - 1;

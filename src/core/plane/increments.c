@@ -12,8 +12,8 @@ double arc_loading_x(const arc_loading *from, const arc_model_def *model, int i)
 /* Returns the length of an increment [mm] that is short enough for accurate results, see
  * arc_wear_reach. The caller creates `pair` once, because its creation is slow. */
 static double reach_of(contact_pair *pair, double load) {
-  static const double share =
-      0.125; /* at this share, centre pressures have errors below 1 %, also for short strokes */
+  static const double share = 0.125; /* increment divided by the half width; the errors of centre
+                                        pressures are below 1 %, also for short strokes */
   return share * arc_pair_estimate(pair, load).half_width;
 }
 

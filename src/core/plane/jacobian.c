@@ -1,13 +1,13 @@
-/* The Jacobian of the wear of a cycle, a linear function of the depths of both surfaces. It is
+/* Computes the Jacobian of the wear in a cycle with respect to the depths of both surfaces. It is
  * computed from the active sets of the contact solutions.
  *
- * On the active set let C = A^-1 - A^-1 1 1' A^-1 / (1' A^-1 1), where A is the compliance
- * matrix and 1 a vector of ones. If the depths of cylinder and plate increase by h_c and h_p,
- * the forces of a contact problem change by -C (h_c + B h_p), where B interpolates from the
- * plate's nodes to the cylinder's nodes. C hardly differs between neighbouring problems with the
- * same active set. A group of such problems therefore uses the matrix C of one problem, its
- * head. The matrices B of the group differ; their mean couples the two surfaces. Groups are
- * symmetric about x = 0, so symmetric runs remain symmetric. */
+ * On the active set let C = A^-1 - A^-1 1 1' A^-1 / (1' A^-1 1), where A is the compliance matrix
+ * and 1 a vector of ones. If the depths of cylinder and plate increase by h_c and h_p, the forces
+ * of a contact problem change by -C (h_c + B h_p), where B interpolates from the plate's nodes to
+ * the cylinder's nodes. C hardly differs between neighbouring problems with the same active set. A
+ * group of such problems therefore uses the matrix C of one problem, the head of the group. The
+ * matrices B of the group differ; their mean couples the two surfaces. Groups are symmetric about x
+ * = 0, so symmetric runs remain symmetric. */
 #include "core/base/dense.h"
 #include "core/plane/cycle.h"
 
@@ -26,7 +26,7 @@ typedef struct jacobian_group {
   const double *wc, *wp; /* tributary widths of the nodes, equal for all problems [mm] */
   double *scale;         /* sum of share * dq/dp over the group, for each surface node */
   double *c;             /* matrix C of the head */
-  double *own, *mean;    /* transpose of B of the head; sum of share * B' over the group */
+  double *own, *mean;    /* transpose B' for the head; sum of share * B' over the group */
   double *cb;            /* workspace for C B */
 } jacobian_group;
 
@@ -273,8 +273,8 @@ static double normalise(int n, double *v) {
   return length;
 }
 
-/* Computes the largest eigenvalue of the Jacobian with row i multiplied by the wear coefficient
- * k of node i, by power iteration. The vectors are stored in arrays of the group. */
+/* Computes the largest eigenvalue of the Jacobian by power iteration. Row i is multiplied by the
+ * wear coefficient k of node i. The vectors are stored in arrays of the group. */
 double arc_tangent_eigenvalue(const arc_wear *w, const double k_both[ARC_BODIES],
                               wear_tangent *tangent) {
   const double k[ARC_BODIES] = {sites_k(w, k_both, ARC_UPPER), sites_k(w, k_both, ARC_LOWER)};

@@ -82,7 +82,8 @@ static double between(double from, double to, double share) {
 }
 
 /* Returns the longest motion [mm] in which the pairs of opposite nodes remain unchanged. It is
- * about the elastic displacement of sticking points, and half the length that wear cycles use. */
+ * about the elastic displacement of sticking points, and half the length of an increment in wear
+ * cycles. */
 static double slack_of(const arc_contact *c, double load) {
   static const double share = 1 / 16.0;
   return share * arc_model_half_width(arc_model_definition(c->handle.shape->handle.model), load);

@@ -26,9 +26,9 @@ static double length_of(const wear_block *block) {
   return high - low;
 }
 
-/* Returns the width [mm] of a group of plate positions that use the contact solution of one
- * position for the Jacobian. It is two elements, but at most an eighth of the path. With a
- * single group for a path of one element the method did not converge. */
+/* Returns the width [mm] of a group of plate positions: two elements, but at most an eighth of the
+ * path. The Jacobian uses one contact solution for the whole group. On a path of one element, the
+ * method did not converge with a single group. */
 static double group_width(const newton *s) {
   static const double elements = 2, parts = 8;
   const shape_side *plate = &s->at->window.shape->side[ARC_PLATE];
@@ -302,8 +302,8 @@ arc_status arc_newton_start(wear_stage *stage, double *rate) {
 
 /* --- the error -------------------------------------------------------------------------------- */
 
-/* Returns the relative change of the contact forces of a problem due to the errors `off` of the
- * depths of all nodes. */
+/* Returns the relative change of a problem's contact forces that the errors `off` of all depths
+ * cause. */
 static double shifted_by(newton *s, contact_problem *p, const double *off) {
   double *below = plane_of(s->at->run)->below;
   arc_contact_problem_to_cylinder(p, off + s->at->run->nc, below);
@@ -314,10 +314,10 @@ static double shifted_by(newton *s, contact_problem *p, const double *off) {
   return arc_stage_forces(p, s->packed);
 }
 
-/* Returns the largest relative change of the contact forces due to the errors `off` of the
- * depths of all nodes. It is computed from the last solutions at both ends and in the middle of
- * the path. Returns 0 for runs in closed form, which have no path and in which the pressures do
- * not depend on the depths. */
+/* Returns the largest relative change of the contact forces that the errors `off` of all depths
+ * cause. It is computed from the last solutions at both ends and in the middle of the path. Returns
+ * 0 for runs in closed form, which have no path and in which the pressures do not depend on the
+ * depths. */
 static double largest_shift(newton *s, const double *off) {
   if (s->at->run->manner.closed) return 0;
   const wear_block *block = path_of(s->at->run)->block;

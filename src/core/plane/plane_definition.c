@@ -128,9 +128,8 @@ static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *mo
   const int flat = arc_wear_alpha_stays_one(d) || d->track > 0 || arc_wear_over_plate(d, model);
   if (d->procedure == ARC_NSP && !flat)
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'procedure': NSP needs a plate that stays flat, alpha = 1 or stroke = 2 "
-                    "radius = %g mm; "
-                    "got alpha = %g, stroke = %g mm",
+                    "field 'procedure': NSP needs a plate that stays flat: expected alpha = 1 or "
+                    "stroke = 2 radius = %g mm, got alpha = %g, stroke = %g mm",
                     width, d->alpha, d->stroke);
   return ARC_OK;
 }

@@ -52,9 +52,9 @@ static size_t bytes(const arc_wear *w) {
 
 /* --- checks of positions */
 
-/* Stores the indices of the points of a block at which the plate's position, the load's position
- * and the load's position relative to the plate are smallest and largest. Returns the number of
- * indices, which is 2 if the load angle is always 0. */
+/* Stores the indices of the extreme points of a block: the smallest and the largest position of the
+ * plate, of the load, and of the load relative to the plate. Returns the number of indices, which
+ * is 2 if the load angle is always 0. */
 enum { ENDS = 6 };
 static int find_ends(const wear_block *block, double radius, int end[ENDS]) {
   int turns = 0;

@@ -366,9 +366,9 @@ static void take_boundary(const recovery *r, double *stress) {
   }
 }
 
-/* Fits the stresses inside the body to boundary stresses from the nodal forces, because these
- * are consistent with the elements. Afterwards replaces the stresses at boundary nodes by values
- * from the pressures at points. */
+/* Fits the stresses inside the body to boundary stresses from the nodal forces, which are
+ * consistent with the elements. Then replaces the stresses at boundary nodes by values from the
+ * pressures at points. */
 arc_status arc_recover_stresses(const elastic_body *body, const double *xy, const double *u,
                                 const surface_traction *traction, double *stress) {
   recovery r;

@@ -11,11 +11,11 @@
 static const double wider = 1, deeper = 2;
 
 /* Automatic element sizes grow with the contact. They become larger by a factor of sqrt(2) if a
- * contact has `rich` times as many elements as an unworn contact. In the case of a ring that
- * wears a block to 25 half widths, the depth differs from the rigid limit by 0.02 % with the
- * factor 4 and by 0.05 % with 3. With elements of size h, a transfer to larger elements loses
- * the fraction h^2/(8 b^2) of the area of a scar of half width b, which is 0.04 % (0.12 % for
- * sizes doubled at once). Scaling of the depths restores this area. */
+ * contact has `rich` times as many elements as an unworn contact. In the case of a ring that wears
+ * a block to 25 half widths, the depth differs from the rigid limit by 0.02 % with rich = 4 and by
+ * 0.05 % with rich = 3. With elements of size h, a transfer to larger elements loses the fraction
+ * h^2/(8 b^2) of the area of a scar of half width b, which is 0.04 % (0.12 % for sizes doubled at
+ * once). Scaling of the depths restores this area. */
 static const double rich = 4;
 
 /* --- checks of the present mesh */
@@ -65,8 +65,8 @@ static int is_deep(const arc_wear *w, double share) {
   return 0;
 }
 
-/* Limits of the wear depth divided by the depth of the wear box. Above `deep` the run has
- * outgrown its box; above `soon_deep` a new mesh has a deeper box. */
+/* Limits of the wear depth divided by the depth of the wear box. Above `deep` the run has outgrown
+ * its box. Above `soon_deep` every new mesh has a deeper box. */
 static const double deep = 1 / 3.0, soon_deep = 1 / 6.0;
 
 int arc_wear_layer_rows(const arc_wear *w) {
@@ -213,8 +213,8 @@ arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_er
                   why->message, def.mesh.zone[ARC_CYLINDER], def.mesh.zone[ARC_PLATE]);
 }
 
-/* Returns the definition of the run's model with a mesh that the user chose. The zones are
- * chosen for the run. */
+/* Returns the definition of the run's model with a mesh that the user chose, and with zones that
+ * are wide enough for the run. */
 static arc_model_def remeshed(const arc_wear *w, const arc_mesh_def *mesh) {
   arc_model_def def = *arc_model_definition(w->model);
   const double depth = def.mesh.rows * def.mesh.height;

@@ -41,8 +41,8 @@ static void find_wear_of_forces(newton *s, double h, const contact_problem *p) {
   for (int i = 0; i < s->n; i++) s->opening[i] = down[i] * arc_newton_share(s, i);
 }
 
-/* Returns the element (r, c) of B D B' for the candidates r and c. The diagonal `d` of the
- * matrix D has one value per plate node. */
+/* Returns the element (r, c) of B D B' for the candidates r and c. D is diagonal; `d` contains its
+ * diagonal, one value per plate node. */
 static double through_plate(const contact_problem *p, int r, int c, const double *d) {
   const int first = p->first[r] > p->first[c] ? p->first[r] : p->first[c];
   const int last = (p->first[r] < p->first[c] ? p->first[r] : p->first[c]) + p->width;
@@ -79,8 +79,8 @@ static void wear_of(const newton *s, const contact_problem *p, const double *for
   for (int i = 0; i < s->n; i++) depth[i] *= s->per_force[i];
 }
 
-/* Adds the increase of the gap that is due to the wear depths of all nodes to the gaps of the
- * candidates [mm]. */
+/* Adds to the gaps of the candidates [mm] the increase that is due to the wear depths of all nodes.
+ */
 static void add_gaps(const newton *s, const contact_problem *p, const double *depth, double *gap) {
   double *plate = plane_of(s->at->run)->plate, *below = plane_of(s->at->run)->below;
   for (int l = 0; l < p->np; l++) plate[l] = depth[p->nc + l] * s->opening[p->nc + l];

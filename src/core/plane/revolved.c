@@ -46,17 +46,15 @@ arc_status arc_wear_check_revolved(const arc_wear_def *d, const arc_model_def *m
   if (d->track > 0 && d->procedure == ARC_SP)
     return refuse_revolved("procedure", "expected \"NSP\" with track: the disc stays flat", error);
   if (model->axis > 0 || d->spin > 0 || d->track > 0 || arc_wear_alpha_stays_one(d)) return ARC_OK;
-  return arc_fail(
-      error, ARC_ARGUMENT,
-      "field 'alpha': expected 1, as a disc that passes under a pin wears along its whole track, "
-      "not at one point, got %g; or give track, the radius of the track, or "
-      "spin",
-      d->alpha);
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field 'alpha': expected 1 if neither track nor spin is set, as a disc that "
+                  "passes under a pin wears along its whole track, got %g",
+                  d->alpha);
 }
 
-/* Computes the half width b of a scar of volume V. The formulas are b^3 = 3 R V / 2 for a
- * cylinder, with V per length, and b^4 = 4 R V / pi for a ball. With a spin the volume is V b /
- * spin or less. */
+/* Computes the half width b of a scar of volume V. The formulas are b^3 = 3 R V / 2 for a cylinder,
+ * with V per length, and b^4 = 4 R V / pi for a ball. With a spin, V is replaced by its upper limit
+ * V b / spin. */
 double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double radius,
                      double volume) {
   const double pi = acos(-1);

@@ -1,10 +1,10 @@
-/* Wear of an increment with elastic slip, computed from the work at pairs of points in contact.
- * The slip of a pair is the rigid displacement of the plate plus the difference of the changes
- * of both points' elastic displacements. The material of the plate moves below the cylinder, so
- * the change of a plate point's displacement includes the variation of u along the path. Work is
- * computed at the cylinder's nodes. The coupling transfers the same work to the plate, so the
- * worn volumes have the ratio of the wear coefficients k_c and k_p (Eq. 15 of the paper on
- * alpha). */
+/* Wear of an increment with elastic slip, computed from the work at pairs of points in contact. The
+ * slip of a pair is the rigid displacement of the plate, plus the change of the elastic
+ * displacement of the plate's point, minus the change at the cylinder's point. The material of the
+ * plate moves below the cylinder, so the change of a plate point's displacement includes the
+ * variation of the displacement along the path. Work is computed at the cylinder's nodes. The
+ * coupling transfers the same work to the plate, so the worn volumes have the ratio of the wear
+ * coefficients k_c and k_p (Eq. 15 of the paper on alpha). */
 #include "core/plane/cycle.h"
 
 #include <math.h>
@@ -22,8 +22,8 @@ typedef struct increment {
                                    plate */
 } increment;
 
-/* Adds the wear due to slip and pressure at one end of the increment to the rates of both
- * bodies. */
+/* Adds to the rates of both bodies the wear due to slip and pressure at one end of the increment.
+ */
 static void add_end(const arc_wear *w, const increment *inc, wear_rate *rate) {
   const contact_problem *p = inc->problem;
   arc_contact_problem_to_cylinder(p, inc->moved_p, inc->under);

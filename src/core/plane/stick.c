@@ -72,8 +72,9 @@ static double edge_at(const stick_zone *z, int right, double other) {
          (right ? 1 : -1) * beyond(z, right, other, reserve);
 }
 
-/* Returns the edge of a stick zone that extends to the outermost node in contact. This is the
- * edge of the contact, moved inwards by the part of the reserve that the motion has used. */
+/* Returns the edge of a stick zone that extends to the outermost node in contact. The contact edge
+ * is moved inwards by the distance between the points where the friction bound and the reserve
+ * vanish. */
 static double edge_at_end(const stick_zone *z, int right, double other) {
   const double ends[2] = {z->c->handle.result.left, z->c->handle.result.right};
   const double less = beyond(z, right, ends[!right], bound) - beyond(z, right, other, reserve);

@@ -25,9 +25,9 @@ static double largest_k(const arc_wear_def *def) {
  * cases of the paper on alpha (up to 2.5 half widths) need only one mesh. */
 static const double outgrown_at = 6;
 
-/* Estimates the half width [mm] of the widest contact of a run. The estimate is the half width
- * of Hertz or, if larger, half of it plus the half width of a flat scar with the whole worn
- * volume on the cylinder. */
+/* Estimates the half width [mm] of the widest contact of a run. The estimate is the half width of
+ * Hertz or, if larger, half of it plus the half width of a flat scar, assuming that only the
+ * cylinder wears. */
 static double widest_contact(const arc_wear_def *def, const arc_model_def *model, double load) {
   const double half = arc_model_half_width(model, load);
   const double relative = arc_model_relative_radius(model);

@@ -6,8 +6,8 @@
 
 #include <math.h>
 
-/* Returns the approach for known pressures and for gaps without the approach [mm]: the mean gap
- * over the contact, weighted by pressure. For separated bodies it is the approach of first
+/* Computes the approach [mm] from pressures and from gaps that exclude the approach: the mean gap
+ * over the contact, weighted by pressure. For separated bodies, returns the approach at first
  * contact. */
 static double approach_of(int n, const double *pressure, const double *gap) {
   double sum = 0, product = 0, least = INFINITY;
@@ -44,10 +44,10 @@ static arc_status find_end(arc_halfspace *h, const double *const depth[ARC_BODIE
 
 /* Returns the fraction of an increment for which a site was open. The site is open with the gap
  * `open` [mm] at one end of the increment, and in contact with the pressure `shut` [MPa] at the
- * other end. `closure` [mm] is the decrease of all gaps from the first to the second state. `self`
- * is the displacement of a site per pressure on it [mm/MPa]. If the closure is too small for the
- * pressure, the displacement due to this pressure is used instead, because the gaps between unlike
- * bodies also change by shear. */
+ * other end. From the open to the closed state all gaps decrease by `closure` [mm]. `self` is the
+ * displacement of a site due to unit pressure on this site [mm/MPa]. If the closure is too small
+ * for the pressure, the displacement due to this pressure is used instead, because the gaps between
+ * unlike bodies also change by shear. */
 static double open_share(double open, double shut, double closure, double self) {
   if (!(open > 0)) return 0;
   return open / (open + fmax(closure - open, self * shut));

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Values of the cells. The position at which they cross `level` is interpolated linearly in
- * value^power. */
+/* Values of the cells. Between two cells, value^power is interpolated linearly to the position
+ * where the value equals `level`. */
 typedef struct field {
   const double *value;
   int rows, columns, power;

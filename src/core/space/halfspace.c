@@ -315,8 +315,8 @@ static int odd_above(double n) {
   return whole + (whole % 2 == 0);
 }
 
-/* Returns the half extent [mm] of the scar along an axis with relative radius r [mm], from the half
- * width of the elastic contact and the half extent of a cap of the worn volume. */
+/* Returns the half extent [mm] of the scar along an axis with relative radius r [mm]. It follows
+ * from the half width of the elastic contact and the half extent of a cap with the worn volume. */
 static double reach(double contact, double r, double other, double volume) {
   const double depth = sqrt(volume / (acos(-1) * sqrt(r * other)));
   return hypot(contact, sqrt(2 * r * depth));

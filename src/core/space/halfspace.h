@@ -17,8 +17,8 @@ typedef struct space_shear_kernels {
   double self[2]; /* displacement of a cell along x and z due to unit shear on the cell [mm/MPa] */
   convolution
       *along[SPACE_LEVELS][SPACE_LEVELS]
-            [3]; /* for each size of a box, NULL until the first use: displacement along x due to
-                    shear qx along x, along x due to qz (equal to z due to qx), along z due to qz */
+            [3]; /* kernels for each box size, NULL until the first use: displacement along x due to
+                    shear qx, along x due to qz (equal to z due to qx), along z due to qz */
   convolution *couple[2]; /* change of the gap due to qx and due to qz; NULL for like bodies
                              (arc_cerruti_unlike) */
   convolution_work *work; /* second workspace, for convolutions of two fields at once */
@@ -58,15 +58,15 @@ void arc_space_box_sizes(int n, int periodic, int size[SPACE_LEVELS]);
 space_box arc_space_window(const arc_halfspace *h);
 /* Extends a range to index k. */
 void arc_space_extend(space_range *r, int k);
-/* Extends the ranges to the rows and columns of all cells with a positive value [window]. */
+/* Extends the ranges to all rows and columns with a cell whose value [window] is positive. */
 void arc_space_find_range(const arc_halfspace *h, const double *value, space_range *x,
                           space_range *z);
 /* Returns the smallest box that contains the ranges of rows and columns, with a margin. If
  * `symmetric` is 1, the box lies symmetrically in x. */
 space_box arc_space_box(const arc_halfspace *h, space_range x, space_range z, int symmetric);
 
-/* Set *found to the convolution for boxes of one size, and to the convolution with the inverse
- * symbol for preconditioning. Each is created at the first call. */
+/* Set *found to a convolution for boxes of one size: with the kernel of the compliance, or with the
+ * inverse symbol for preconditioning. Each convolution is created at the first call. */
 arc_status arc_space_convolution(arc_halfspace *h, int level_x, int level_z,
                                  const convolution **found, arc_error *error);
 arc_status arc_space_inverse(arc_halfspace *h, int level_x, int level_z, const convolution **found,
@@ -99,8 +99,8 @@ arc_status arc_space_add_layers(const arc_halfspace_def *def, double *kernel, ar
 double arc_space_thinnest(const arc_halfspace_def *def);
 
 /* Computes Hertz' contact for relative radii along two perpendicular axes [mm] and a load [N]. The
- * effective modulus follows from the compliance of the pair to pressure waves of about the
- * contact's length. Errors: as for arc_hertz_ellipse_of. */
+ * effective modulus follows from the compliance of the pair to pressure waves about as long as the
+ * contact. Errors: as for arc_hertz_ellipse_of. */
 arc_status arc_space_estimate(const arc_halfspace_def *def, double radius_x, double radius_z,
                               double load, arc_hertz_ellipse *hertz);
 

@@ -85,7 +85,8 @@ static int spline_create(spline *s, int count, double from, double to) {
   return s->value != NULL;
 }
 
-/* Computes slopes for which the second derivatives are continuous; the slope is 0 at both ends. */
+/* Computes the slopes of a cubic spline: its second derivative is continuous, and its slope is 0 at
+ * both ends. */
 static void spline_finish(spline *s) {
   const int n = s->count;
   double *d = s->slope, *upper = s->slope + n;
@@ -178,9 +179,9 @@ static double rest_at(const rest *r, double x, double z) {
   return spline_at(&r->radial, asinh(hypot(x, z) / r->t));
 }
 
-/* Returns the integral of the difference over a cell at (x, z): by Gauss' rule near the origin
- * (within six cells or six thicknesses of the layer), elsewhere by the value at the middle of
- * the cell. */
+/* Returns the integral, over a cell at (x, z), of the difference from half-spaces: by Gauss' rule
+ * near the origin (within six cells or six thicknesses of the layer), elsewhere from the value at
+ * the middle of the cell. */
 static double rest_of_cell(const arc_halfspace_def *d, const rest *r, double x, double z) {
   const double area = d->size_x * d->size_z, size = fmax(d->size_x, d->size_z);
   double sum = 0;

@@ -12,7 +12,7 @@ typedef struct leg {
   const arc_halfspace_options *options;
   double xi[2], force[2]; /* motion [mm] and force [N] at the start of the leg */
   double carried, yielding,
-      work; /* force [N], motion [mm] and work [N mm] to which errors are related */
+      work; /* reference values of the relative errors: force [N], motion [mm] and work [N mm] */
   arc_halfspace_friction *coarser; /* state computed with half as many increments, or NULL */
   arc_halfspace_effort *effort;
 } leg;
@@ -37,11 +37,11 @@ static arc_status advance(const leg *g, double share, const arc_halfspace_fricti
 
 /* --- effect of halving ------------------------------------------------------------------------ */
 
-/* Largest changes due to halving that are accepted in a part of a leg. Changes of motion and shear
- * are relative to full slip. The change of work is relative to the work of the leg (work_share) or
- * of the part (own_share). The work of the leg is assumed to be at least `little` times friction
- * times load times displacement at full slip. Errors of motion and work add up over a leg; errors
- * of shear decay. */
+/* Largest accepted changes of the results of a part of a leg when its increments are halved.
+ * Changes of motion and shear are relative to full slip. The change of work is relative to the work
+ * of the leg (work_share) or of the part (own_share). The work of the leg is assumed to be at least
+ * `little` times friction times load times displacement at full slip. Errors of motion and work add
+ * up over a leg; errors of shear decay. */
 static const double motion_share = 1e-4, shear_share = 1e-3, work_share = 1e-3, own_share = 3e-3,
                     little = 1e-3;
 
@@ -146,9 +146,8 @@ static arc_status refine(leg *g, part p, const arc_halfspace_friction *begin,
 
 /* --- legs ------------------------------------------------------------------------------------- */
 
-/* Updates the coarser state after a leg whose increments the user chose. The coarser state becomes
- * a copy of the finer state, except that the difference of their energies from earlier legs
- * remains. */
+/* Updates the coarser state after a leg whose increments the user chose. It becomes a copy of the
+ * finer state, but the difference of their energies, caused by earlier legs, remains. */
 static arc_status follow_finer(const leg *g, double before, const arc_halfspace_friction *state,
                                arc_error *error) {
   arc_halfspace_friction copy;

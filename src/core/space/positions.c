@@ -237,8 +237,8 @@ static arc_status check_outside(positions *p, const space_box *box, space_range 
   return ARC_OK;
 }
 
-/* Returns true if preconditioning saves time: for a single contact without wear, of 96 x 96 cells
- * or more. */
+/* Returns true if preconditioning saves time, which is the case for a single contact without wear
+ * on at least 96 x 96 cells. */
 static int is_preconditioned(const positions *p) {
   const stroke *s = &p->s;
   const int worn = s->c[ARC_UPPER] > 0 || s->c[ARC_LOWER] > 0, many = 96 * 96;
@@ -424,8 +424,8 @@ arc_status arc_positions_solve_each(positions *p, arc_error *error) {
   return status;
 }
 
-/* Computes for each site the sum of weight times pressure: for both bodies if `both` is 1, else for
- * bodies with c > 0. */
+/* Computes for each site the sum of weight times pressure: for both bodies if `both` is 1, else
+ * only for bodies that wear (c > 0). */
 static void gather(positions *p, int both, double *upper, double *lower) {
   p->s.box = arc_space_window(p->s.h);
   p->s.upper = upper;

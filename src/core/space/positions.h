@@ -8,8 +8,8 @@
 /* The contact problem at several positions of the lower body, and its results. */
 typedef struct positions {
   stroke s;
-  double *load; /* [count] load divided by the area of a cell [MPa], which is the sum of the cells'
-                   pressures */
+  double *load; /* [count] sum of the cells' pressures [MPa], which is the load divided by the area
+                   of a cell */
   double *pressure; /* [count][window] output; if `warm` is true, also the initial guess */
   double *approach; /* [count] approach of each position [mm] */
   const double *const *depth;
@@ -40,8 +40,8 @@ void arc_positions_rate(positions *p, double *const rate[ARC_BODIES]);
 /* Computes the sum of weight times pressure over the positions for the sites of one body. */
 void arc_positions_sum(positions *p, arc_body body, double *sum);
 
-/* Returns true if the worn shape of each body is exactly symmetric, in all bits: in x or, if
- * `across` is 1, in z. */
+/* Returns true if the worn shape of each body is symmetric in x or, if `across` is 1, in z. The
+ * symmetry must be exact in all bits. */
 int arc_space_are_even(const arc_halfspace *h, const double *const depth[ARC_BODIES], int across);
 
 #endif

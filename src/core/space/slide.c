@@ -204,17 +204,16 @@ static arc_status find_entering(increment *s, int *entering, arc_error *error) {
                             error);
 }
 
-/* Returns the next estimate of the motion for which the assumed motion equals the computed motion,
- * by the secant method. The computed motion increases more slowly than the assumed motion. */
+/* Returns the next estimate, by the secant method, of the motion at which assumed and computed
+ * motion are equal. The computed motion increases more slowly than the assumed motion. */
 static double secant(double motion, double gives, double last, double gave) {
   static const double steepest = 0.9;
   const double slope = motion != last ? (gives - gave) / (motion - last) : 0;
   return motion + (gives - motion) / (1 - fmax(0, fmin(slope, steepest)));
 }
 
-/* Compares the assumed motion of an increment with the computed motion, which is a result of the
- * solution under a force. Returns 1 if they agree. Otherwise stores a better estimate and returns
- * 0. */
+/* Compares the assumed motion of an increment with the motion computed under a force. Returns 1 if
+ * they agree. Otherwise stores a better estimate and returns 0. */
 static int follow_motion(increment *s, int pass) {
   static const double settled = 1e-5;
   double off = 0, gave[2], size = 0;
@@ -317,9 +316,9 @@ static void find_travel(const increment *s, double travel[2]) {
   }
 }
 
-/* Solves an increment. The lower surface follows the travel along x, which is a result: unless this
- * surface is flat, the solution is repeated until both agree. Error: ARC_ZONE if the track is too
- * short for the travel. */
+/* Solves an increment. The lower surface moves by the travel along x, which the solution
+ * determines. Unless this surface is flat, the solution is repeated until the assumed and the
+ * computed travel agree. Error: ARC_ZONE if the track is too short for the travel. */
 static arc_status sweep_and_follow(increment *s, arc_halfspace_effort *effort, arc_error *error) {
   enum { most_passes = 20 };
   static const double settled = 1e-4; /* largest accepted error of the travel, in cells */

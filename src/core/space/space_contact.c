@@ -121,8 +121,8 @@ arc_status arc_space_widen_contact(space_contact *c, double x, arc_error *error)
   return ARC_OK;
 }
 
-/* Solves the contact. Enlarges the window if necessary, because the window of the shape may have
- * been made for another load. */
+/* Solves the contact. The window of the shape may have been made for another load, so it is
+ * enlarged if necessary. */
 static arc_status solve_in_larger_windows(space_contact *c, const arc_callbacks *callbacks,
                                           arc_error *error) {
   enum { most_tries = 12 };
@@ -157,7 +157,7 @@ static arc_status finish(space_contact *c, arc_status status, const arc_callback
   return status;
 }
 
-/* Copies a contact. *copy is NULL if there is no memory for the contact itself. */
+/* Copies a contact. If memory for the contact itself is not available, *copy is NULL. */
 static arc_status copy_contact(const space_contact *from, space_contact **copy, arc_error *error) {
   const arc_halfspace *h = space_shape_of(from->handle.shape)->grid->h;
   space_contact *c = *copy = calloc(1, sizeof *c);
@@ -258,8 +258,8 @@ arc_status arc_space_contact_stress(const arc_contact *contact, arc_body body, d
 enum { X, Z, H, Y, P, NAMES };
 static const char *const names[] = {"x", "z", "h", "y", "p"};
 
-/* Computes the quantities of `names` at all sites of one body, values [NAMES][sites]. The pressures
- * on the lower body are those of the window at its present position `at` [mm]. */
+/* Computes values [NAMES][sites]: the quantities listed in `names` at all sites of one body. The
+ * lower body has the pressures of the window at its present position `at` [mm]. */
 static void fill(const space_shape *s, int b, const double *pressure, double at, double *values) {
   const arc_halfspace_def *d = arc_halfspace_definition(s->grid->h);
   const int n = space_sites(s, b), rows = n / d->nz;

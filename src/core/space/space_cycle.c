@@ -243,9 +243,9 @@ size_t arc_space_tangent_bytes(const arc_wear *w) {
   return sizeof *t + (size_t)t->path.count * (size_t)w->nc * sizeof(double);
 }
 
-/* Returns an upper bound of the largest eigenvalue of the linearised wear equations, for cases in
- * which it is not computed by iteration: the eigenvalue of a chessboard pattern of wear on an
- * infinite surface. The compliance to this pattern is computed as 0.584 times the cell size divided
+/* Returns an upper bound of the largest eigenvalue of the linearised wear equations where this
+ * eigenvalue is not computed by iteration. The bound is the eigenvalue of a chessboard pattern of
+ * wear on an infinite surface. The compliance to this pattern is 0.584 times the cell size divided
  * by E*. */
 static double bound(const arc_wear *w, const double k[ARC_BODIES], const space_tangent *t) {
   const arc_halfspace_def *d = arc_halfspace_definition(t->grid->h);

@@ -59,9 +59,9 @@ static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
   return ARC_OK;
 }
 
-/* Rejects friction on periodic surfaces, in a groove, with layers or on a rigid base (the response
- * of such bodies to shear is not implemented), and in cycles in which the bodies separate, because
- * separation removes the shear caused by pressing. */
+/* Rejects friction on periodic surfaces, in a groove, with layers or on a rigid base, because the
+ * response of such bodies to shear is not implemented. Also rejects friction in cycles in which the
+ * bodies separate, because separation removes the shear caused by pressing. */
 static arc_status check_friction(const arc_wear_def *d, const arc_model_def *model,
                                  arc_error *error) {
   if (!arc_wear_has_friction(d)) return ARC_OK;
@@ -127,9 +127,9 @@ void arc_space_usual(arc_wear_def *def) {
   if (def->tolerance == 0) def->tolerance = ARC_USUAL_TOLERANCE;
 }
 
-/* Returns the factor [N/mm] that converts a tangential force to the displacement by which distances
- * are counted if a force drives the plate: 2 a E* with the mean contact radius a and the contact
- * modulus E*. */
+/* Returns the factor [N/mm] between a tangential force and the nominal displacement, from which
+ * distances are computed if a force drives the plate: 2 a E* with the mean contact radius a and the
+ * contact modulus E*. */
 static double force_per_distance(const arc_wear_def *def, const arc_model_def *model) {
   const arc_hertz_ellipse hertz = arc_space_hertz(model, def->load);
   return 2 * sqrt(hertz.half_width * hertz.half_width_z) *
@@ -153,8 +153,9 @@ static int are_unlike(const arc_model_def *model) {
 }
 
 /* Returns the number of increments of a cycle: the number set by the user, or one per cell of the
- * stroke, at least 4. With friction the minimum is one per stroke, or two between unlike bodies;
- * the error of the wear is then below 0.4 %. A cycle under a tangential force has this minimum. */
+ * stroke, at least 4. With friction the minimum is one per stroke, or two between unlike bodies,
+ * for which the error of the wear is below 0.4 %. Cycles under a tangential force have this
+ * minimum. */
 int arc_space_increments(const arc_wear_def *def, const arc_model_def *model) {
   enum { most = 1 << 20 };
   if (def->increments > 0) return def->increments;

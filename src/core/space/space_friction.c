@@ -9,13 +9,12 @@
 #include <string.h>
 
 /* Default numbers of cells in the half width of a contact, with friction and without. At small
- * forces the width of the slip annulus is only a few hundredths of that of the contact. With 40
- * cells Mindlin's loops are accurate to 0.4 % for forces of at least a fifth of the force of full
- * slip. */
+ * forces the slip annulus is only a few hundredths as wide as the contact. With 40 cells Mindlin's
+ * loops are accurate to 0.4 % for forces of at least a fifth of the force of full slip. */
 static const double cells_of_friction = 40, usual_cells = 8;
 
-/* Makes the cells of a slender contact longer, so that its longer half width has only four times as
- * many cells as the shorter one. */
+/* Makes the cells of a slender contact longer, so that its longer half width has at most four times
+ * as many cells as the shorter one. */
 static void stretch(const arc_model_def *def, double load, arc_halfspace_def *cells) {
   static const double enough = 4;
   const arc_hertz_ellipse hertz = arc_space_hertz(def, load);
@@ -81,8 +80,8 @@ static double stick_share(const arc_wear_def *d, const arc_model_def *model) {
 }
 
 double arc_space_slip_volume(const arc_wear_def *d, const arc_model_def *model) {
-  static const double periods = 20; /* number of periods of 1 / (4 mu k p_0) cycles after which wear
-                                       has ended (p_0: largest pressure) */
+  static const double periods = 20; /* wear has ended after this number of periods of 1 / (4 mu k
+                                       p_0) cycles (p_0: largest pressure) */
   const double share = stick_share(d, model);
   if (!(share > 0 && share < 1) || d->blocks > 0) return INFINITY;
   const arc_hertz_ellipse hertz = arc_space_hertz(model, d->load);
@@ -102,21 +101,20 @@ static double filling(double x, double z) {
   return inside / (acos(-1) * x * z);
 }
 
-/* Returns how much the rows of cells at the end of an axis of the stick zone count, as a share of
- * the area. It is above 0 if the half axis [cells] ends beyond the first fifth of its last cell:
- * then a straight row of cells slips although the zone covers a large part of the row, and the
- * depth there is up to a tenth of the largest depth too large. The rows are longer in larger zones.
- */
+/* Returns the effect, as a fraction of the area, of the row of cells at an end of an axis of the
+ * stick zone. It is above 0 if the half axis [cells] ends beyond the first fifth of its last cell.
+ * Then a straight row of cells slips although the zone covers much of it, and the depth there is
+ * too large by up to a tenth of the largest depth. Rows are longer in larger zones. */
 static double ragged(double half) {
   static const double covered = 0.2, straight = 0.015, few = 11.5;
   return straight * fmax(0, half - floor(half) - covered) * fmax(0, 1 - few / half);
 }
 
-/* Returns the cell size for which the area of the sticking cells equals the area of the stick zone,
- * because wear in partial slip ends when this zone carries the whole load, and for which the zone
- * ends at the rows of cells on its axes. The size is up to a sixth smaller than `size`. Cells stick
- * if their centre is at most 0.113 of a cell beyond the edge of the zone, as measured at the end of
- * wear for ten amplitudes (0.113 +- 0.007). */
+/* Returns the cell size, at most a sixth smaller than `size`, that fits the stick zone best: the
+ * area of the sticking cells equals the area of the zone, and the zone ends at the rows of cells on
+ * its axes. The area matters because wear in partial slip ends when the zone carries the whole
+ * load. Cells stick if their centre is at most 0.113 of a cell beyond the edge of the zone, as
+ * measured at the end of wear for ten amplitudes (0.113 +- 0.007). */
 static double fill_zone(double size, double x, double z) {
   enum { tries = 60 };
   static const double beyond = 0.113, play = 0.02, range = 1.0 / 6;
@@ -133,10 +131,10 @@ static double fill_zone(double size, double x, double z) {
 }
 
 double arc_space_slip_cell(const arc_wear_def *def, const arc_model_def *model) {
-  /* in_rim, in_stick and in_contact are minimum numbers of cells: in the width of the slip annulus,
-   * in the radius of the stick zone, which carries the whole load at the end of wear, and in the
-   * half width. for_stick and `most` are the largest numbers in the half width that a small stick
-   * zone and a narrow annulus may require. */
+  /* in_rim, in_stick and in_contact are minimum numbers of cells in the width of the slip annulus,
+   * in the radius of the stick zone and in the half width of the contact. A small stick zone, which
+   * carries the whole load at the end of wear, may require more cells in the half width, up to
+   * for_stick; a narrow annulus, up to `most`. */
   static const double in_rim = 5, in_stick = 10, in_contact = 14, for_stick = 28, most = 64;
   const double finer = model->mesh.fineness > 0 ? model->mesh.fineness : 1;
   const double share = stick_share(def, model);
@@ -157,10 +155,11 @@ void arc_space_warn_slip(const arc_wear_def *def, const arc_model_def *model, do
   const arc_hertz_ellipse hertz = arc_space_hertz(model, def->load);
   const double width = (1 - share) * fmin(hertz.half_width, hertz.half_width_z);
   if (width < fewest * size)
-    arc_warn(callbacks,
-             "the slip annulus, %.2g mm wide, has %.2g cells: below %g, volumes may be off by "
-             "several per cent and depths by more; use a smaller mesh.size",
-             width, width / size, fewest);
+    arc_warn(
+        callbacks,
+        "the slip annulus, %.2g mm wide, has %.2g cells: with fewer than %g, volumes may be off by "
+        "several per cent and depths by more; use a smaller mesh.size",
+        width, width / size, fewest);
 }
 
 void arc_space_sizes(const space_contact *c, double *shear, double *slip) {
@@ -203,8 +202,8 @@ static void warn_unresolved(const space_contact *c, const arc_halfspace_effort *
              effort->unfinished);
   if (effort->unresolved > 0)
     arc_warn(callbacks,
-             "in %d of %d increments halving still changed motion or energy: the energy may be off "
-             "by %.2g N mm",
+             "in %d of %d increments, halving them still changed motion or energy: the energy may "
+             "be off by %.2g N mm",
              2 * effort->unresolved, effort->increments, c->handle.result.energy_error);
 }
 
@@ -299,7 +298,7 @@ static arc_status check_cells(const space_contact *c, double load, arc_error *er
   if (cells <= most_in_motion) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
                   "field 'load': %g N gives %.3g cells in the half width, expected at most %g: "
-                  "press a contact under a load closer to this one, or use a larger mesh.size",
+                  "create a contact under a load closer to this one, or use a larger mesh.size",
                   load, cells, most_in_motion);
 }
 

@@ -24,8 +24,8 @@ static size_t bytes(const arc_wear *w) {
   return (size_t)arc_halfspace_bytes(d, 2) + arc_space_tangent_bytes(w);
 }
 
-/* Rejects a stroke along another axis than that of the cells, and a track whose radius is at most
- * the width of the contact. */
+/* Rejects a stroke that is not along the axis of the cells, and a track whose radius is at most the
+ * width of the contact. */
 static arc_status check_reach(arc_wear *w, arc_error *error) {
   const int turned = w->def.slide == ARC_SLIDE_Z;
   const arc_wear_record *last = w->records > 0 ? arc_wear_last(w) : NULL;
@@ -57,7 +57,7 @@ static int warn_short(const arc_wear *w, const arc_callbacks *callbacks) {
   if (d->groove == 0 || w->def.track > 0 || d->periodic || widths >= enough) return 0;
   arc_warn(callbacks,
            "procedure \"NSP\" treats the track as an endless groove, and the stroke is only %.2g "
-           "contact widths now: below %g the errors of depths exceed 3 %%; use \"SP\"",
+           "contact widths now: below %g widths the errors of depths exceed 3 %%; use \"SP\"",
            widths, enough);
   return 1;
 }

@@ -89,8 +89,8 @@ void arc_space_fit(const arc_model_def *def, int turned, double load, double vol
 double arc_space_lower_share(const arc_model_def *def, int turned);
 /* Limits a window to the extent of the bodies' maps. */
 void arc_space_limit(const arc_model_def *def, arc_halfspace_def *cells);
-/* Enlarges the window on each side by its number of cells divided by `part`, but at most to the
- * edge of the maps. Error: ARC_ZONE if the window already extends to the edge of the maps. */
+/* Enlarges the window on each side by its number of cells divided by `part`, but not beyond the
+ * edge of the maps. Error: ARC_ZONE if the window already extends to this edge. */
 arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def *cells,
                            arc_error *error);
 /* Adds rows to the window and makes the track `beyond` rows longer than the window. Error: ARC_ZONE
@@ -160,9 +160,9 @@ void arc_space_end_path(space_path *path);
 const arc_halfspace_friction *arc_space_guess_at(const space_path *path, int at);
 void arc_space_remember(space_path *path, int at, const arc_halfspace_friction *state, int cells);
 void arc_space_forget(space_path *path);
-/* Computes the pressures [count][window] on given depths, the sums of weight times pressure by
- * site, and the peak pressure (in rate). With friction, also computes the slip of the cycle and
- * writes energy, forces and stick zone to rate. */
+/* Computes the pressures [count][window] for given depths, the sums of weight times pressure by
+ * site, and the peak pressure, rate->peak. With friction, also computes the slip of the cycle and
+ * writes energy, forces and stick zone to `rate`. */
 arc_status arc_space_solve_path(arc_wear *w, const wear_window *window,
                                 const double *const depth[ARC_BODIES], space_path *path,
                                 wear_progress *progress, double *pressure, wear_rate *rate,

@@ -1,4 +1,4 @@
-/* Computes wear that is not k p ds with rigid slip, because of a wear law, local factors or
+/* Computes wear that differs from k p ds with rigid slip because of a wear law, local factors or
  * friction: sums over the positions, and linearisation for implicit stages. */
 #include "core/space/space_kind.h"
 

@@ -26,8 +26,8 @@ static void add_to(const slip_cycle *c, int at, double share) {
   for (int k = 0; k < c->cells; k++) slip[k] += share * c->slid[k];
 }
 
-/* Adds the slip of an increment, c->slid, multiplied by `times`, to the position at its end or,
- * with the trapezoidal rule, in halves to the positions at both ends. */
+/* Adds the slip of an increment, c->slid, multiplied by `times`, to the slip of the position at its
+ * end. With the trapezoidal rule, adds half of it to each of the positions at both ends. */
 static void add_increment(slip_cycle *c, int at, double times) {
   const double *p = c->pressure + row_of(c, at);
   const double share = times * c->block->repeat;

@@ -17,7 +17,7 @@ typedef struct stages {
   space_path path;
   double *pressure, *trial;                  /* [count][window] */
   double *known[ARC_BODIES], *z[ARC_BODIES]; /* [sites] known part and solution z of a stage: depths
-                                                including those of the shape [mm] */
+                                                that include the depths of the shape [mm] */
   int linear; /* 1 if the wear is k p ds with the same k at all sites */
   double *work[ARC_BODIES], *factor[ARC_BODIES]; /* [sites] see arc_space_linearise */
   double
@@ -132,9 +132,9 @@ static void set_known(wear_stage *s, double h, const double *more) {
   }
 }
 
-/* Returns the tolerance of the gaps: `share` times the tolerance of a step's depths. With a share
- * of 0.03 it changes the depths of a step by less than 0.01 of the step's tolerance; with a share
- * of 0.1 it changes an estimated error by 5 %. */
+/* Returns the tolerance of the gaps: `share` times the tolerance of a step's depths. A share of
+ * 0.03 changes the depths of a step by less than 0.01 of the step's tolerance; a share of 0.1
+ * changes an estimated error by 5 %. */
 static double gap_tolerance(const arc_wear *w, double share) {
   static const double finest = 1e-6, usual = 1e-5, coarsest = 1e-4;
   const double tolerance = w->def.tolerance;
@@ -239,8 +239,8 @@ arc_status arc_space_stage(wear_stage *s, double h, double *rate) {
   return ARC_OK;
 }
 
-/* Returns the fraction of a position's load that the pressures own->trial carry at other cells than
- * own->pressure. */
+/* Returns the fraction of a position's load that is carried by other cells if the pressures
+ * own->pressure change to own->trial. */
 static double shifted(const stages *own, int position, int cells) {
   const double *p = own->pressure + (size_t)position * (size_t)cells,
                *trial = own->trial + (size_t)position * (size_t)cells;

@@ -208,8 +208,8 @@ static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char 
 
 /* --- iteration for the motion ----------------------------------------------------------------- */
 
-/* Returns the mean displacement along an axis [mm], weighted by the friction limit, if the shear of
- * all cells equals this limit. */
+/* Returns the mean displacement along an axis [mm] if the shear of all cells equals the friction
+ * limit. The mean is weighted by this limit. */
 static double yielding(const stick_slip_problem *p, stick_slip_work *w, int axis) {
   double sum = 0, product = 0;
   for (int k = 0; k < p->h->cells; k++) {

@@ -11,7 +11,7 @@ enum { widening = 4, components = 6 };
 
 /* Wave number that represents wave number 0, divided by the smallest positive wave number of the
  * box. The value follows from the zeta function of the square lattice, because the stresses have a
- * kink in |q| at 0. */
+ * kink at |q| = 0. */
 static const double zero_wave = 0.22895;
 
 typedef struct wave {

@@ -1,8 +1,8 @@
 /* Applies the operator of a stroke, which maps the pressures at all positions to one sum per cell
- * and position: the elastic displacement at this position plus the wear depths of both bodies,
- * which all positions cause. Pressures are distributed to the rows of the lower body with the same
- * weights with which its wear is interpolated at a position, so the operator is symmetric. These
- * weights sum to 1, so the wear volumes of both bodies have no interpolation error. */
+ * and position: the elastic displacement at this position plus the wear depths of both bodies due
+ * to all positions. Pressures are distributed to the rows of the lower body with the same weights
+ * with which its wear is interpolated at a position, so the operator is symmetric. These weights
+ * sum to 1, so the wear volumes of both bodies have no interpolation error. */
 #include "core/space/stroke.h"
 
 #include "core/base/callbacks.h"

@@ -50,8 +50,8 @@ arc_status arc_stroke_precondition(void *context, const double *r, double *z);
  * or for both bodies if `both` is 1. */
 void arc_stroke_gather(stroke *s, const double *p, int both);
 
-/* Computes sum [box]: the values [sites] of both bodies, added at the cells of the box in one
- * position. */
+/* Computes sum [box]: in one position of the window, the values [sites] of both bodies that face
+ * each other at a cell are added. */
 void arc_stroke_read(const stroke *s, const double *const value[ARC_BODIES], int position,
                      double *sum);
 /* Computes the gaps of a position without pressure, on the box: the unworn shapes plus the depths

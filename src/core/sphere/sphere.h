@@ -7,8 +7,8 @@
 #include "core/numeric/active_set.h"
 #include "core/numeric/convolution.h"
 
-/* Compliance on a window of the lattice, which has size / 2 rows and columns on each side of the
- * z axis. */
+/* Compliance on a window of the lattice. The window has size / 2 rows and columns on each side of
+ * the z axis. */
 typedef struct sphere_kernel {
   int size;       /* number of rows and of columns */
   int box, waves; /* number of columns with zero padding; number of wave numbers, box / 2 + 1 */
@@ -68,8 +68,8 @@ static inline int sphere_site(const arc_joint *j, int cell) {
 arc_status arc_sphere_open(arc_joint *j, int size, arc_error *error);
 /* Sets the number of instants with initial pressures, which are all set to 0. Error: ARC_MEMORY. */
 arc_status arc_sphere_make_kept(arc_joint *j, int instants, arc_error *error);
-/* Restores an earlier state of this joint. If the window has grown since then, it retains its size,
- * and the initial pressures are discarded. */
+/* Restores an earlier state of this joint. A window that has grown since then retains its size, and
+ * the initial pressures are discarded. */
 void arc_sphere_restore(arc_joint *j, const double *state);
 /* Restores an earlier state and window after an error. A larger window remains if there is no
  * memory for the earlier one. */

@@ -153,8 +153,8 @@ static int settled(const arc_joint *j, const double approach[3], double u[3]) {
   return moved < 1e-9 * j->def.radius;
 }
 
-/* Composes the error for cells that may be too large: the contact has so few cells that they cannot
- * carry a load in three directions. */
+/* Composes the error message for a contact with so few cells that they cannot carry a load in three
+ * directions. The cells may be too large. */
 static arc_status refuse_cells(const arc_joint *j, const double load[3], arc_error *error) {
   const arc_error why = *error;
   return arc_fail(error, why.status,

@@ -1,7 +1,7 @@
 /* Compliance on a window of the lattice. It is a convolution over longitude, and for each wave
- * number a dense matrix over latitude. Its part proportional to 1/chord, where the chord is the
- * distance of two points, is integrated over near cells. The smooth remainder is interpolated from
- * a table over the angle between two points. */
+ * number a dense matrix over latitude. The part proportional to 1/chord (chord: the distance of two
+ * points) is integrated over near cells. The smooth remainder is interpolated from a table over the
+ * angle between two points. */
 #include "core/sphere/sphere.h"
 
 #include "core/base/dense.h"

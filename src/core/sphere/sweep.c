@@ -14,7 +14,8 @@ typedef struct sweep {
   const arc_joint_wear_def *def;
   double cycles, alpha;
   double *was;              /* state of the joint before the update */
-  double *gain[ARC_BODIES]; /* [sites] depth to be removed at the end of an explicit update [mm] */
+  double *gain[ARC_BODIES]; /* [sites] depth [mm] by which the surface is lowered at the end of an
+                               explicit update */
   double *shear, *mean;     /* [sites][3] sums for the cross-shear; [sites] mean pressure */
   double *k, *loss, *share; /* [sites] wear coefficient k; [sites] wear depth k N p |s| of an
                                instant in N cycles [mm]; [sites] cross-shear */
@@ -49,8 +50,8 @@ static void add_shear(sweep *s, const double w[3], int site, double p) {
   t[2] += p * along * along / length;
 }
 
-/* Adds the wear of the head at an instant to `to`, scaled so that its volume is the fraction alpha
- * of `volume`, the wear of both bodies at this instant. */
+/* Adds the wear of the head at an instant to `to`. It is scaled so that its volume is the fraction
+ * alpha of `volume`, the wear volume of both bodies at this instant. */
 static void wear_head(sweep *s, const double R[9], double volume, double *to) {
   arc_joint *j = s->j;
   const double alpha = s->alpha, edge = cos(0.7072 * j->size * j->d);
@@ -154,8 +155,7 @@ static arc_status call_k(sweep *s, arc_error *error) {
   return ARC_OK;
 }
 
-/* Computes the creep at the end of the update from the mean pressure over all cycles up to this
- * end. */
+/* Computes the creep at the end of the update from the mean pressure over all cycles until then. */
 static arc_status call_creep(sweep *s, arc_error *error) {
   arc_joint *j = s->j;
   const double end = s->record.cycles + s->cycles;

@@ -101,8 +101,8 @@ static arc_status build(const arc_model_def *def, const arc_callbacks *callbacks
 /* --- one contact ------------------------------------------------------------------------------ */
 
 /* Computes the pressures p under a load [N] with the compliance `a` [mm/MPa]. At each site a p =
- * approach - gap if this difference is positive, otherwise p = 0. Newton's method computes the
- * approach from above. On input p contains the gaps of the unloaded surfaces. */
+ * approach - gap if this difference is positive, otherwise p = 0. Newton's method starts from a
+ * larger approach. On input p contains the gaps of the unloaded surfaces. */
 static arc_status press(const springs *s, double a, double load, double *p, arc_error *error) {
   const double total = load * a / s->area;
   double approach = 0;

@@ -53,8 +53,8 @@ static void find_problems(wear_block *b) {
 }
 
 /* Returns the nominal sliding distance [mm] of a cycle that is driven by a force, because the
- * displacement is unknown until the contact is solved. It is the sum of the changes of the force
- * per thickness, divided by E*. If the force is constant, the changes of the load are used
+ * displacement is unknown until the contact is solved. The distance is the sum of all changes of
+ * the force per thickness, divided by E*. If the force is constant, changes of the load are used
  * instead. */
 static double sliding_of_force(const wear_block *b, const wear_manner *m) {
   double force = 0, load = 0;
@@ -73,7 +73,7 @@ static int increments_of(const arc_wear_def *def, const arc_model_def *model) {
 }
 
 /* Computes the numbers of increments between consecutive points of a loading. Returns their sum.
- * Kinds without automatic increments have one increment between two points. */
+ * Kinds of pair that do not choose increments have one increment between two points. */
 static double parts_of(const arc_wear_def *def, const arc_model_def *model, const arc_loading *from,
                        double *parts) {
   const arc_kind *kind = arc_kind_of(model);
@@ -100,8 +100,8 @@ static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *
     find_problems(b);
 }
 
-/* Creates a cycle of an alternating tangential force. The bodies are pressed together at the point
- * of the cycle where this force is about 0. */
+/* Creates a cycle of an alternating tangential force. The bodies are pressed together where the
+ * force in the cycle is closest to 0. */
 static arc_status by_force(const arc_wear_def *def, const arc_model_def *model,
                            const wear_manner *m, wear_block *b) {
   const int half = increments_of(def, model) / 2;
@@ -127,8 +127,8 @@ static double along(double stroke, int i, int last) {
   return stroke * (2 * i - last) / (2.0 * last);
 }
 
-/* Creates the cycle of a plain stroke. The block is one stroke, whose wear counts twice (two
- * strokes in a cycle) or once (a single pass over the plate). With updates within the cycle, or
+/* Creates the cycle of a plain stroke. The block is one stroke. Its wear counts twice if a cycle
+ * has two strokes, and once for a single pass over the plate. With updates within the cycle, or
  * with friction, the block contains both strokes. Without friction, the procedure NSP needs only
  * the end points of the stroke. */
 static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *model,

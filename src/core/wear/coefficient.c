@@ -4,8 +4,9 @@
 
 #include <math.h>
 
-/* Returns the value of a table at a distance [mm], by the line between the two points around the
- * distance `inside` [mm]. At a jump (two values at the same distance) the second value is used. */
+/* Returns the value of a table at a distance [mm], on the line between the two table points around
+ * the distance `inside` [mm]. At a jump (two values at the same distance) the second value is used.
+ */
 static double series_at(const arc_series *s, double distance, double inside) {
   int i = 0;
   while (i < s->count && s->distance[i] <= inside) i++;

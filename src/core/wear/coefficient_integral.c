@@ -15,23 +15,23 @@ static const double tolerance = 1e-5;
  * a jump. Functions are not evaluated closer than `margin` to the ends of the update, so that a
  * jump at an end belongs to one update only. */
 static const double shortest = 1e-9, margin = 1e-7;
-/* Distance from the ends of the update within which tables are not evaluated, as a fraction of the
- * update. */
+/* Tables are not evaluated closer than this fraction of the update to the ends of the update. */
 static const double table_margin = 1e-10;
 /* Functions are evaluated just before a table point, which may be a discontinuity. */
 static const double before_point = 1 - 1e-9;
 /* Definition of a jump in a table: the value changes by more than `large` times the larger value
- * within one interval, and both neighbouring intervals are more than `steep` times as long. */
+ * within one interval, and both neighbouring intervals are more than `steep` times as long as this
+ * one. */
 static const double large = 0.1, steep = 20;
 /* Minimum number of steps of an update whose length is fixed, and of an update whose length is
  * unknown. */
 static const double chosen_steps = 4, open_steps = 64;
-/* Relative tolerance within which the integral of k reaches the largest value of the plan, at which
- * the update ends. */
+/* The update ends when the integral of k equals the largest value of the plan within this relative
+ * tolerance. */
 static const double near = 1e-3;
-/* Minimum number of samples of a function per cycle or, in long runs, per run, because the error
- * estimate does not include changes between samples. The number per cycle is not an integer, to
- * avoid aliasing. */
+/* Minimum number of samples of a function per cycle or, in long runs, per run. They are needed
+ * because the error estimate does not include changes between samples. The number per cycle is not
+ * an integer, to avoid aliasing. */
 static const double per_cycle = 1.618, per_run = 3236;
 /* If rejected steps outnumber accepted steps by this number, no step length resolves the function
  * (for example a random function). The function is then sampled in equal steps. */
@@ -56,7 +56,7 @@ typedef struct integration {
   int sampled;                    /* 1 if no step could resolve the function */
 } integration;
 
-/* Returns the reference value for relative errors of component b of the coefficients k. */
+/* Returns the value to which errors of component b of the coefficients k are relative. */
 static double size_of(int b, const double k[COMPONENTS]) {
   return b == FRICTION ? k[b] : fmax(k[ARC_CYLINDER], k[ARC_PLATE]);
 }

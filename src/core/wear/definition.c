@@ -16,10 +16,10 @@ const char *const arc_law_names[] = {ARC_LAW_LIST(ARC_CHOICE_NAME) NULL};
 #define LAW_PROPERTIES(name, text, properties, ...) properties,
 const unsigned arc_law_properties[] = {ARC_LAW_LIST(LAW_PROPERTIES)};
 
-/* Numbers of choices that the code distinguishes by comparisons. After adding a choice to a list,
- * first handle it in the files named here, because otherwise the code treats it like another
- * choice. Then increase the number here. Laws need no such check, because they are formulas in a
- * list. */
+/* Numbers of choices that the code distinguishes by comparisons. A choice that is added to a list
+ * must be handled in the files named here, because otherwise the code treats it like another
+ * choice. After that, increase the number here. Laws need no such check, because they are formulas
+ * in a list. */
 #define DECIDED(LIST, count, where)                                                                \
   _Static_assert(0 LIST(ARC_CHOICE_ONE) == (count), "a new choice: handle it in " where)
 DECIDED(ARC_PROCEDURE_LIST, 3, "plane/plane_definition.c, wear/run.h");
@@ -96,8 +96,8 @@ static int closes(int count, const double *value) {
 }
 
 /* Returns the tangential force [N] that would cause gross slip under a load [N]; forces must be
- * smaller. If friction is a table or a function, it returns INFINITY, and the run checks the
- * force. */
+ * smaller. If friction is a table or a function, returns INFINITY (0 without load), because the run
+ * checks the force. */
 static double carried(const arc_wear_def *d, double load) {
   if (arc_wear_friction_is_known(d)) return d->friction * load;
   return load > 0 ? INFINITY : 0;

@@ -6,7 +6,7 @@
 #include <math.h>
 
 /* Returns the index of the point of a block that needs the largest friction coefficient. Sets
- * *needed to this coefficient. It is infinite if a force acts at a load of 0. */
+ * *needed to this coefficient, which is infinite if a force acts at a load of 0. */
 static int worst_point(const wear_block *b, double *needed) {
   int worst = 0;
   *needed = 0;

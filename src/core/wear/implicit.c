@@ -1,9 +1,9 @@
 /* Makes implicit updates. At order 1 (backward Euler) the wear follows from the pressures on the
  * geometry at the end of a step. At order 2 (TR-BDF2, L-stable) it follows from the pressures at
  * the start of the step, at an intermediate stage, and at the end. Sites that enter the contact
- * within a step limit the length of the step, because they wear only in the last stages. Among
- * similar methods, TR-BDF2 overestimates the pressures at these sites least. The kind of pair
- * solves the stages. */
+ * during a step limit its length, because these sites wear only in the last stages. TR-BDF2
+ * overestimates the pressures there less than similar methods. The kind of pair solves the stages.
+ */
 #include "core/base/carve.h"
 #include "core/wear/step.h"
 
@@ -12,11 +12,12 @@
 #include <string.h>
 
 /* Number of equal implicit steps in an update with error control. All steps use the compliance at
- * the start of the update, so they need only contact solutions. The error of one step jumps when
- * the edge of the contact crosses a node. The largest error of several steps varies less. */
+ * the start of the update, so they need only contact solutions. When the edge of the contact
+ * crosses a node, the error of a single step jumps, but the largest error of several steps varies
+ * less. */
 enum { steps_by_tolerance = 4 };
 
-/* Indices of those results of a cycle that are not values of sites. */
+/* Indices of the results of a cycle that are single numbers, not values at sites. */
 enum { ENERGY, EVEN, PRESSED, SUMS };
 typedef struct sums {
   double of[SUMS];
@@ -40,8 +41,8 @@ typedef struct implicit {
  * 5 um.
  */
 static const double share_per_step = 0.5;
-/* Accepted error of pressures, divided by the tolerance. It is large because pressures follow from
- * the depths, so their errors do not accumulate. */
+/* Accepted error of pressures, divided by the tolerance. A large error is accepted because
+ * pressures follow from the depths, so their errors do not accumulate. */
 static const double pressure_share = 60;
 static const double gamma2 = 0.29289321881345247560; /* 1 - 1 / sqrt(2) */
 
@@ -61,9 +62,9 @@ static sums of_last(const implicit *s) {
   return (sums){{s->at.last.energy, s->at.last.even, s->at.last.pressed}};
 }
 
-/* Adds a step to the mean of all steps. The value of a step is the value at its end plus `part`
- * times the differences of the values at the start and at the middle stage from it, so that equal
- * values remain exactly equal. */
+/* Adds a step to the mean of all steps. The value of a step is its end value plus `part` times two
+ * differences: the values at the start and at the middle stage, each minus the end value. Thus
+ * equal values remain exactly equal. */
 static void add_step(implicit *s, double part, sums start, sums middle) {
   const sums end = of_last(s);
   for (int i = 0; i < SUMS; i++) {

@@ -43,8 +43,8 @@ static course course_of(const arc_wear *w, const wear_plan *plan) {
   return c;
 }
 
-/* Returns the predicted value of a column after k, integrated over the distance from the present
- * state, reaches `wear` [mm3/N]. The value is interpolated by the parabola through the three
+/* Returns the predicted value of a column where the integral of k over the distance from the
+ * present state equals `wear` [mm3/N]. The value is interpolated by the parabola through the three
  * states, or by a line if they are not monotonic. Without a final state it is extrapolated with a
  * decreasing slope. */
 static double on_course(const course *c, int column, double wear) {

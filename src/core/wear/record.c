@@ -40,8 +40,8 @@ static const struct column_rule {
 #undef COLUMN_RULE
 };
 
-/* Checks the value of one column in a row. Returns the status `refused` if it is invalid. `before`
- * is the previous row (NULL for the first row). */
+/* Checks the value of one column in a row. Returns the status `refused` if the value is invalid.
+ * `before` is the previous row (NULL for the first row). */
 static arc_status check_value(const arc_wear_record *before, const arc_wear_record *record,
                               size_t row, int column, arc_status refused, arc_error *error) {
   const struct column_rule *r = &rules[column];

@@ -10,8 +10,8 @@ typedef struct wear_work {
   wear_depths depth;
 } wear_work;
 
-/* Cached wear rate of a cycle on the present surfaces, from which the next update starts. The cache
- * does not change results. */
+/* Cached wear rate of a cycle on the present surfaces. The next update starts from this rate. The
+ * cache does not change results. */
 typedef struct wear_start {
   const wear_block *block; /* NULL: nothing is cached */
   wear_rate rate;
@@ -125,8 +125,9 @@ arc_status arc_wear_coefficients_now(const arc_wear *w, double k[ARC_BODIES], ar
 int arc_wear_has_state_functions(const arc_wear *w);
 /* Stores k and alpha in a record, computed from the coefficients of both bodies. */
 void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *record);
-/* Returns the wear per sliding distance, divided by k [MPa]: the pressure times the factor of the
- * wear law. For the energy law it must be multiplied by the coefficient of friction. */
+/* Returns the pressure times the factor of the wear law, which is the wear per sliding distance
+ * divided by k [MPa]. For the energy law this value must be multiplied by the coefficient of
+ * friction. */
 double arc_wear_law(const arc_wear *w, double p);
 /* Returns the wear per sliding distance, divided by k [MPa], with the coefficient of friction mu,
  * on which only the energy law depends. */
@@ -144,8 +145,8 @@ arc_status arc_wear_create_on(arc_model *model, const arc_wear_def *def, const a
                               arc_wear **wear, arc_error *error);
 
 /* --- record.c --------------------------------------------------------------------------------- */
-/* Sets the largest load, the smallest load and the stroke in `record`. If the loading block
- * repeats, they are those of one cycle; if it runs once, those of its increment `first`. */
+/* Sets the largest load, the smallest load and the stroke in `record`: of one cycle if the loading
+ * block repeats, or of increment `first` if the block runs once. */
 void arc_wear_note_motion(const arc_wear *w, const wear_block *block, int first,
                           arc_wear_record *record);
 arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error);

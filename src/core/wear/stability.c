@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Computes the growth rate of ripples (the largest eigenvalue [1/cycle]) in a cycle of a block, on
- * the present surfaces and with the wear coefficients k [mm2/N]. */
+/* Computes the growth rate of ripples on the present surfaces in a cycle of a block, with the wear
+ * coefficients k [mm2/N]. This rate is the largest eigenvalue [1/cycle]. */
 static arc_status find_eigenvalue(arc_wear *w, const wear_block *block, const double k[ARC_BODIES],
                                   const arc_callbacks *callbacks, double *eigenvalue,
                                   arc_error *error) {
@@ -44,8 +44,8 @@ static int may_ripple(const arc_wear *w, const wear_block *block) {
   return w->def.scheme == ARC_EXPLICIT && !arc_wear_jump_is_auto(&w->def) && block->periodic;
 }
 
-/* Returns an upper bound of the present eigenvalue [1/cycle], from the last computed one and the
- * increase of the wear coefficients, to which the eigenvalue is proportional. */
+/* Returns an upper bound of the present eigenvalue [1/cycle]: the last computed eigenvalue times
+ * the growth of the wear coefficients, to which it is proportional. */
 static double eigenvalue_at_most(const wear_judged *j, const double k[ARC_BODIES]) {
   static const double noticed = 1.01;
   double growth = 1;

@@ -19,8 +19,9 @@ typedef struct staging {
                     rates are noisy */
 } staging;
 
-/* Returns the parameters for the law of the run. With a discontinuous law the pressures at nodes
- * oscillate about the discontinuity. Shorter stages reduce this oscillation. */
+/* Returns the parameters of the stages for the wear law of the run. With a discontinuous law the
+ * pressures at nodes oscillate about the discontinuity, and shorter stages reduce this oscillation.
+ */
 static staging staging_of(const arc_wear *w) {
   static const staging smooth = {3, 14, 0.85, 0}, jumping = {30, 1200, 0.01, 1};
   return arc_law_properties[w->def.law] & ARC_LAW_JUMPS ? jumping : smooth;
@@ -116,10 +117,10 @@ static double worn_mean(const staged *s, arc_body b, const double *depth, const 
   return width > 0 ? sqrt(sum / width) : 0;
 }
 
-/* Returns the error estimate divided by the tolerance. The error is the mean of all rates minus the
- * mean of the first and the last rate, because both means have the same order of accuracy. If
- * single rates are noisy, the error is the second difference of the means over thirds of the
- * update. */
+/* Returns the error estimate divided by the tolerance. The error is the difference between the mean
+ * of all rates and the mean of the first and the last rate, two means with the same order of
+ * accuracy. If single rates are noisy, the error is the second difference of the means over thirds
+ * of the update. */
 static double estimate(staged *s, const wear_depths *depth) {
   const int by_thirds = staging_of(s->w).by_thirds;
   double *defect = s->first, share = 0;

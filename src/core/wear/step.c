@@ -14,8 +14,8 @@ static void add_deviation(double value, double predicted, double scale, double *
   if (scale > 0) *largest = fmax(*largest, fabs(value - predicted) / scale);
 }
 
-/* Computes the largest relative difference between the coefficients of wear and friction at the end
- * of a step and their predictions; 0 without a prediction. */
+/* Computes the largest relative difference between the predicted and the actual coefficients of
+ * wear and friction at the end of a step; 0 without a prediction. */
 static arc_status find_deviation(arc_wear *w, const wear_outcome *out, double *deviation,
                                  arc_error *error) {
   static const double margin = 1e-6; /* distance from the end of the step, where a coefficient may
@@ -70,9 +70,9 @@ static double added_by(const arc_wear *w, const arc_wear_record *end) {
   return gone > 0 ? (end->distance - arc_wear_last(w)->distance) / gone : 1;
 }
 
-/* Makes a step. If the values of functions of the state differ from their predictions, a step of
- * second order is repeated, with its computed final state as the prediction. In steps with error
- * control, the error includes a part of the remaining difference. */
+/* Makes a step. If functions of the state differ from their predicted values, a step of second
+ * order is repeated with its computed final state as the prediction. In steps with error control,
+ * the error includes a part of the remaining difference. */
 static arc_status follow(arc_wear *w, wear_plan *plan, arc_wear_record *end_state,
                          wear_progress *progress, wear_outcome *out, arc_error *error) {
   enum { most_tries = 3 };
@@ -123,8 +123,8 @@ static double cut_share(const arc_wear *w, const wear_plan *plan, double error) 
 }
 
 /* Returns the largest accepted error, divided by the tolerance. A step in stages aims at the
- * tolerance but is accepted up to twice the tolerance, because it is expensive and its error
- * estimate jumps when the edge of the contact crosses a node. */
+ * tolerance but is accepted up to twice the tolerance. Such steps are expensive, and their error
+ * estimates jump when the edge of the contact crosses a node. */
 static double passable(const wear_plan *plan) {
   return plan->staged ? 2 : 1;
 }
@@ -183,8 +183,7 @@ static int passed(const arc_wear *w, const arc_wear_record *record, const arc_we
   return before != 0 && (after == 0 || (before < 0) != (after < 0));
 }
 
-/* Shortens a step that passed a target until the step ends at the target, by the Illinois
- * method. */
+/* Shortens a step that has passed a target, by the Illinois method, until it ends at the target. */
 static arc_status meet_target(arc_wear *w, const wear_plan *whole_plan, const arc_wear_target *t,
                               wear_progress *progress, wear_outcome *out, arc_error *error) {
   enum { most_tries = 60 };

@@ -9,11 +9,11 @@ typedef struct wear_plan {
   const wear_block *block;
   double cycles; /* number of cycles; the update may be shortened */
   double
-      times;  /* factor on the wear of the window: number of cycles, or fraction of an increment */
-  double end; /* distance at the end of the step [mm] */
-  double
-      most;  /* integral of k over the distance [mm3/N] at which the step ends, if it is reached */
-  int first; /* index of the increment in a loading that does not repeat, otherwise 0 */
+      times;   /* factor on the wear of the window: number of cycles, or fraction of an increment */
+  double end;  /* distance at the end of the step [mm] */
+  double most; /* the step ends early if the integral of k over the distance reaches this value
+                  [mm3/N] */
+  int first;   /* index of the increment in a loading that does not repeat, otherwise 0 */
   int explicit;                     /* 1 for an explicit step of an implicit run */
   int staged;                       /* 1 for an explicit step in stages, with an error estimate */
   const arc_wear_record *end_state; /* final state of an earlier attempt at this step; NULL: none */
@@ -102,8 +102,8 @@ arc_status arc_wear_implicit(arc_wear *w, const wear_window *window,
 
 /* --- update.c --------------------------------------------------------------------------------- */
 /* Makes the planned update on the shape of an outcome, which is a copy of the run's shape. The plan
- * may be shortened. The record of the outcome, initially the last record of the run, receives the
- * number of the update, the volumes, the coefficients and the error. */
+ * may be shortened. Initially the record of the outcome is the last record of the run. It receives
+ * the number of the update, the volumes, the coefficients and the error. */
 arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_progress *progress, wear_outcome *out,
                            arc_error *error);
 

@@ -25,8 +25,8 @@ static double cycles_for(const wear_block *block, const double k[ARC_BODIES], do
   return per_cycle > 0 ? k_integral / per_cycle : INFINITY;
 }
 
-/* Largest wear of an update. In the first updates it is a fraction of the natural depth (the scale
- * of elastic displacements), in later updates a fraction of the present depth. */
+/* Largest wear of an update. It is a fraction of the natural depth (the scale of elastic
+ * displacements) in the first updates, and of the present depth in later updates. */
 static const double first_depth = 0.15, later_depth = 0.05;
 /* Largest wear of the first implicit update, which has no error estimate, as a fraction of the
  * natural depth. */
@@ -162,8 +162,8 @@ static double bound(const arc_wear *w, const wear_block *block, double limit) {
              : fmin(limit, arc_wear_block_end(block));
 }
 
-/* Plans a step of a loading that runs once: the rest of the present increment, up to the distance
- * `limit` [mm]. */
+/* Plans a step of a loading that runs once: to the end of the present increment, but not beyond the
+ * distance `limit` [mm]. */
 static void plan_increment(const arc_wear *w, double limit, wear_plan *plan) {
   const arc_wear_record *now = arc_wear_last(w);
   const wear_block *b = plan->block;
@@ -202,7 +202,7 @@ static arc_status check_progress(const arc_wear *w, const wear_plan *plan, doubl
   if (gone > nothing * left) return ARC_OK;
   return arc_fail(error, ARC_NOT_CONVERGED,
                   "field 'jump': the last %d steps, to %.6g mm, advanced %.3g mm in total; %.6g mm "
-                  "remain, so the run would not end; use longer steps, and smooth "
+                  "remain, so the run would not end; use longer steps, and smooth the "
                   "jumps of a law, a coefficient or a factor",
                   many, now->distance, gone, left);
 }

@@ -17,9 +17,9 @@ static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out
 }
 
 /* Returns the integral of the load over the sliding distance of a window [N mm], computed by the
- * same integration rule as the wear. The load equals the integral of the pressure over the area of
- * each body. Under rigid slip the result is therefore the integral of (pressure times sliding
- * distance) over this area, the same for both bodies (Eq. 15 of the reference paper). */
+ * same integration rule as the wear. The load is the integral of the pressure over the area. Under
+ * rigid slip the result is therefore, for each body, the integral of pressure times sliding
+ * distance over its area (Eq. 15 of the reference paper). */
 static double load_distance(const arc_wear *w, const wear_block *b, int first, int last) {
   double sum = 0;
   for (int at = first + 1; at <= last; at++) {
@@ -129,8 +129,8 @@ static arc_status solve_start(arc_wear *w, const wear_plan *plan, wear_window wi
   return ARC_OK;
 }
 
-/* Copies the cached wear rate to `rate`. Sets the number of its uncounted contact solutions to 0,
- * so that they are counted only once. */
+/* Copies the cached wear rate to `rate`. Sets the number of uncounted contact solutions in the
+ * cache to 0, so that these solutions are counted only once. */
 static void take_start(arc_wear *w, wear_rate *rate) {
   arc_wear_rate_copy(&w->start.rate, rate, w->nc + w->np);
   w->start.solutions = 0;
@@ -200,8 +200,8 @@ static arc_status find_coefficients(whole *u, double *eigenvalue, arc_error *err
 }
 
 /* Chooses the friction coefficient at the start of an update. Explicit updates of one stage use the
- * mean of the coefficient over the update. Updates of several stages use its value at the start; if
- * it jumps there, the value after the jump. */
+ * mean of the coefficient over the update. Updates of several stages use the value at the start or,
+ * if the coefficient jumps there, the value after the jump. */
 static arc_status find_friction(whole *u, arc_error *error) {
   static const double slight = 1e-6;
   const int asks = u->plan->staged || !is_explicit(u->w, u->plan);

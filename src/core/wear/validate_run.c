@@ -79,7 +79,7 @@ static arc_status check_history(const arc_wear *w, arc_error *error) {
   for (size_t i = 1; i < count && status == ARC_OK; i++) {
     status = check_finite(&r[i], error);
     if (status == ARC_OK) status = check_growth(&r[i - 1], &r[i], error);
-    /* volumes of rows before the last change of the definition are not checked */
+    /* volumes are not checked in rows before the last change of the definition */
     if (!known || r[i - 1].distance < d->start_distance) continue;
     for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
       if (!w->manner.layered[b]) /* the record does not contain the wear coefficients of layers */

@@ -134,8 +134,8 @@ void arc_wear_destroy(arc_wear **wear) {
   *wear = NULL;
 }
 
-/* Copies a run to larger surfaces if, after a change of the definition, its contact does not fit on
- * the present surfaces. */
+/* If, after a change of the definition, the contact does not fit on the present surfaces, copies
+ * the run to larger surfaces. */
 static arc_status enlarge_model(arc_wear **w, const arc_callbacks *callbacks, arc_error *error) {
   const arc_growth *growth = (*w)->kind->growth;
   arc_wear *larger = NULL;

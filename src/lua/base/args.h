@@ -38,8 +38,8 @@ void args_check_names(lua_State *L, int index, args_location location, const arc
 /* Raises an error if the value at `index` is not a table. */
 void args_check_table(lua_State *L, int index, const char *where);
 
-/* Raises the error for a table entry whose key is not a text, such as a list item. The key is below
- * the top of the stack. */
+/* Raises the error for a table entry whose key is not a text, such as a list item. The key and its
+ * value are on top of the stack. */
 void args_refuse_position(lua_State *L, args_location location) __attribute__((noreturn));
 
 /* Raises the error for a field `name` that is not in the list of settings. */

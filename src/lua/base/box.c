@@ -15,9 +15,8 @@ static const box_class *class_upvalue(lua_State *L) {
   return lua_touserdata(L, lua_upvalueindex(1));
 }
 
-/* Raises an error for the unknown name at index 2 if the reading code is the user's. In built-in
- * scripts and C functions the name is nil, so that they can test for fields. Upvalue 4: list of all
- * valid names. */
+/* If the user's code reads the unknown name at index 2, raises an error. In built-in scripts and C
+ * functions the name is nil, so that they can test for fields. Upvalue 4: list of valid names. */
 static int unknown_field(lua_State *L) {
   if (lua_type(L, 2) == LUA_TSTRING && strict_reads(L))
     strict_refuse(L, class_upvalue(L)->name, lua_tostring(L, 2), lua_upvalueindex(4));
@@ -109,7 +108,7 @@ static int class_close(lua_State *L) {
   return 0;
 }
 
-/* Texts may contain names from files of others; hence control characters are escaped. */
+/* A text may contain names from untrusted files; therefore control characters are escaped. */
 static int class_tostring(lua_State *L) {
   const box_class *class = class_upvalue(L);
   const box *self = box_test(L, 1, class);

@@ -9,7 +9,7 @@ enum { MOST_HELD = 16 }; /* largest number of objects that one function can mark
 
 typedef struct frame {
   struct frame *outer;
-  const void *first; /* first argument of the function, which is alive as long as the frame */
+  const void *first; /* first argument of the function; it exists as long as the frame */
   int count, keeps;  /* keeps: true if the registry has values of call_keep for this frame */
   call_held *held[MOST_HELD];
 } frame;

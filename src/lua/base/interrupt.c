@@ -46,8 +46,8 @@ static void raise_explained(lua_State *L) {
 
 static void stop_hook(lua_State *L, lua_Debug *event) {
   (void)event;
-  if (!interrupt_pending(NULL)) { /* no request is pending: the hook was set for an earlier request,
-                                     before the coroutine yielded */
+  if (!interrupt_pending(NULL)) { /* no request is pending: the hook remained from an earlier
+                                     request while the coroutine did not run */
     rest(L);
     return;
   }

@@ -12,9 +12,9 @@
  * Must be called once, after the standard libraries are open. */
 void interrupt_install(lua_State *L);
 
-/* Between attach and detach, a request stops the code in `L`. A request just before attach has the
- * same effect. At other times a request only sets the flag, so that the program's own code is not
- * interrupted. */
+/* Between interrupt_attach and interrupt_detach, a request stops the code in `L`, even if it was
+ * made just before interrupt_attach. At other times a request only sets the flag, so that the
+ * program's own code is not interrupted. */
 void interrupt_attach(lua_State *L);
 void interrupt_detach(lua_State *L);
 

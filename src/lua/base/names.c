@@ -131,8 +131,8 @@ const char *names_push_text(lua_State *L, int index) {
   return lua_tostring(L, -1);
 }
 
-/* Pushes a string in quotes. Of a string with more than 200 bytes, pushes the start of its first
- * line and its length. */
+/* Pushes a string in quotes. If the string has more than 200 bytes, pushes only the start of its
+ * first line, and its length. */
 static const char *push_quoted(lua_State *L, int index) {
   enum { most = 200 };
   size_t length, shown;

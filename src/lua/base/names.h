@@ -15,9 +15,9 @@ typedef struct names_search {
 } names_search;
 
 /* names_begin begins a search; a name of one letter must match exactly. names_offer compares the
- * name with the valid name `known`. names_relation requires a `best` that is not NULL: it returns a
- * text such as ", half of the diameter" if `best` is another quantity than the searched name,
- * otherwise "". */
+ * name with the valid name `known`. names_relation must be called only if `best` is not NULL. If
+ * `best` is another quantity than the searched name, it returns a text such as ", half of the
+ * diameter", otherwise "". */
 names_search names_begin(const char *name);
 void names_offer(names_search *search, const char *known);
 const char *names_relation(const names_search *search);

@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-/* Registry keys of the table of modules and of the table of the scripts' globals. The keys are the
+/* Registry keys of two tables: the modules, and the globals of built-in scripts. The keys are the
  * addresses of these variables. */
 static const char modules_key = 0, globals_key = 0;
 

@@ -113,8 +113,8 @@ void strict_refuse(lua_State *L, const char *where, const char *name, int known)
 
 /* --- tables ----------------------------------------------------------------------------------- */
 
-/* Metamethod __index(table, name): returns the field of an alias, or raises the error for an
- * unknown name. Upvalues: name of the table, table of aliases or nil. */
+/* Metamethod __index(table, name): returns the field that an alias names, or raises the error for
+ * an unknown name. Upvalues: name of the table, table of aliases or nil. */
 static int table_index(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 2);
@@ -153,8 +153,8 @@ static void set_index(lua_State *L, const char *where, int words) {
   lua_setfield(L, -2, "__index");
 }
 
-/* Fills a metatable for strict tables. The field __table is the name by which strict_is recognises
- * the table. The field __plain makes the prompt print it as an ordinary table. */
+/* Fills a metatable for strict tables. strict_is recognises a table by the name in the field
+ * __table. The field __plain makes the prompt print the table like an ordinary table. */
 static void fill_metatable(lua_State *L, const char *where, int words) {
   set_index(L, where, words);
   lua_pushstring(L, where);
@@ -321,9 +321,9 @@ static int is_listed(lua_State *L, int known, int name) {
   return found;
 }
 
-/* refuse(where, name, known) raises the error for an unknown name if the user's code reads it. An
- * __index function in Lua calls refuse, so the code that reads the name is two levels up. Returns
- * nil for other code, and for a name in the list `known`, because such a field may be nil. */
+/* refuse(where, name, known) raises the error for an unknown name if the user's code reads the
+ * name. This code is two levels up, because an __index function in Lua calls refuse. Returns nil
+ * for other code, and for a name in the list `known`, because such a field may be nil. */
 static int module_refuse(lua_State *L) {
   luaL_checktype(L, 3, LUA_TTABLE);
   if (lua_type(L, 2) != LUA_TSTRING || !reads_at(L, 2) || is_listed(L, 3, 2)) return 0;

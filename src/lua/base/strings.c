@@ -22,8 +22,8 @@ static int is_text(lua_State *L, int index, const char *text) {
 
 /* --- methods ---------------------------------------------------------------------------------- */
 
-/* Pushes the value for the name at index 2 from the user's __index (a function or a table), which
- * is on top of the stack. Upvalue 2: the string library. */
+/* Pushes the value that the user's __index (a function or a table, on top of the stack) has for the
+ * name at index 2. Upvalue 2: the string library. */
 static int call_user(lua_State *L) {
   if (lua_isnil(L, -1)) return 1;
   if (lua_rawequal(L, -1, lua_upvalueindex(2))) {

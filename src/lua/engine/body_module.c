@@ -23,8 +23,8 @@ static int is_own(arc_solid kind, const char *name) {
   return 0;
 }
 
-/* Returns true if the surface of this kind of body is given by points over x. has_map returns true
- * if it is given by a map over x and z. */
+/* has_points returns true if the surface of this kind of body is given by points over x, has_map if
+ * it is given by a map over x and z. */
 static int has_points(arc_solid kind) {
   return is_own(kind, "y") && !is_own(kind, "z");
 }
@@ -144,8 +144,8 @@ static void read_material(lua_State *L, int index, args_location location, arc_m
       read_part(L, index, location, (const arc_setting[]){*s, {.name = NULL}}, to);
 }
 
-/* Returns true for the settings of an item of `layers`, which are all settings of a layer except
- * its name (used in `materials` only) and its material. */
+/* Returns true if an item of the list `layers` has this setting. Excluded are the material of a
+ * layer, and its name, which only `materials` uses. */
 static int is_of_layer(const arc_setting *s) {
   return s->kind != ARC_TEXT && s->kind != ARC_GROUP;
 }

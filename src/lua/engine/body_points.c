@@ -64,7 +64,7 @@ void body_read_profile(lua_State *L, int index, args_location location, double r
 /* --- maps ------------------------------------------------------------------------------------- */
 
 /* Reads list `name` of the table at `index` as the values of a series and pushes the buffer of the
- * series. The distances of the series are the indices 0, 1, 2, ... */
+ * series. The indices 0, 1, 2, ... are used as the distances of the series. */
 static arc_series push_numbers(lua_State *L, int index, args_location location, const char *name) {
   size_t count;
   if (lua_getfield(L, index, name) != LUA_TTABLE)

@@ -20,7 +20,7 @@ void body_read_map(lua_State *L, int index, args_location location, arc_body_def
 int body_is(lua_State *L, int index, const char *class);
 
 /* Sets x and y of the table at index 2 from a measured profile: the value at index 1, or its field
- * y. If both are no profile, the table is unchanged. */
+ * y. If neither is a profile, the table is unchanged. */
 void body_take_profile(lua_State *L);
 
 /* Sets x, z and y of the table at index 2 from the value at index 1, which is a map, a table with a

@@ -74,23 +74,22 @@ int joint_takes(lua_State *L, const char *method);
 
 /* --- models (model_class.c) ------------------------------------------------------------------- */
 
-/* Computes the half widths of the zones [mm] of both bodies that a contact or a run with this
- * definition needs. `def` is the model. */
+/* Computes the half widths [mm] that the meshed zones of both bodies need for a contact or a run
+ * with this definition. `def` defines the model. */
 typedef arc_status (*zones_fn)(const void *definition, const arc_model_def *def,
                                double zone[ARC_BODIES], arc_error *error);
 
 /* Pushes and returns the model for the definition table at index 1. Its field `model` is a model
- * object or a table of the fields of a model. If it is nil, the model has the definition of the
- * worn object's model (index `worn`), or the default definition. "auto" sizes of the mesh are
- * chosen for the load [N], and smaller with friction (arc_model_fit_friction). "auto" zones are
- * computed by `zones`. */
+ * object or a table of fields. If the field is nil, the definition is that of the model of the worn
+ * object at index `worn`, or the default. A mesh size "auto" is chosen for the load [N], and is
+ * smaller with friction (arc_model_fit_friction). The function `zones` computes zones that are
+ * "auto". */
 arc_model *model_argument(lua_State *L, int worn, const char *where, double load, int friction,
                           zones_fn zones, const void *definition);
 
-/* Replaces a model object in the field `model` of the definition table at index 1 if its zones are
- * too narrow: pushes a new model with the zones that `zones` computes, and prints a warning. Pushes
- * nothing and returns NULL if `model` is a table, the zones are wide enough, or the meshes were
- * imported. */
+/* If the field `model` of the definition table at index 1 is a model object whose zones are too
+ * narrow, pushes a new model with the zones that `zones` computes, and prints a warning. In other
+ * cases, and for imported meshes, pushes nothing and returns NULL. */
 arc_model *model_push_wider(lua_State *L, const arc_model *model, const char *where, zones_fn zones,
                             const void *definition);
 
@@ -137,8 +136,8 @@ extern const box_class shape_class; /* box of an arc_shape; scripts cannot use i
  * h= } or a map for each body. */
 void worn_check(lua_State *L, int index, const char *where);
 
-/* Pushes a box with a new shape on `model` for a run with the definition `def`. The value at
- * index `worn` defines the wear of the shape. */
+/* Pushes a box with a new shape of `model` for a run with the definition `def`. The value at index
+ * `worn` defines the initial wear depths. */
 arc_shape *worn_push_shape(lua_State *L, int worn, arc_model *model, const arc_wear_def *def,
                            const char *where);
 /* Works like worn_push_shape for 3-D models. The value at `worn` is a table with one field for each

@@ -280,9 +280,9 @@ static void push_copy(lua_State *L, int index) {
   }
 }
 
-/* Stores a record of the call in the contact on top of the stack. The record has the definition at
- * index `given`, the record of the previous contact at index `from` (0: none), and the number of
- * updates of the wear object in `worn`. */
+/* Stores a record of the call in the contact on top of the stack. The record contains the
+ * definition at index `given`, the record of the previous contact at index `from` (0: none), and
+ * the number of updates of the wear object in the field `worn`. */
 static void keep_call(lua_State *L, int given, int from) {
   lua_createtable(L, 0, 3);
   push_copy(L, given);

@@ -1,6 +1,6 @@
 /* Module `archard.sphere`: functions of the engine for ball-and-socket joints. Only scripts/joint
- * uses this module; it checks the user's arguments. A gait is a list of 15 numbers per increment:
- * rotation matrix (9), rotation vector (3), load (3). */
+ * uses this module; it checks the user's arguments. A gait is a flat list with 15 numbers for each
+ * increment: rotation matrix (9), rotation vector (3), load (3). */
 #include "archard/joint.h"
 #include "lua/base/archard.h"
 #include "lua/base/array_read.h"
@@ -122,8 +122,8 @@ static int increments(lua_State *L, int index) {
   return (int)n;
 }
 
-/* named(name, increments, angle, load) returns a built-in gait. `angle` [degree] and `load` [N] are
- * used by some of the gaits. */
+/* named(name, increments, angle, load) returns a built-in gait. Only some gaits use `angle`
+ * [degree] and `load` [N]. */
 static int sphere_named(lua_State *L) {
   arc_error error = {0};
   const int n = increments(L, 2);
@@ -166,8 +166,8 @@ static const arc_gait_instant *read_gait(lua_State *L, int index, int *n) {
   return (const arc_gait_instant *)(const void *)list;
 }
 
-/* path(gait, radius) returns the path length of the load over the head [mm], and the friction work
- * divided by the coefficient of friction [N mm], both for one cycle. */
+/* path(gait, radius) returns, for one cycle, the length of the path of the load over the head [mm],
+ * and the friction work divided by the coefficient of friction [N mm]. */
 static int sphere_path(lua_State *L) {
   int n;
   const arc_gait_instant *gait = read_gait(L, 1, &n);
@@ -208,7 +208,7 @@ static size_t sites_of(const arc_joint *joint) {
 }
 
 /* map(joint, quantity) returns the number of rows of a grid, and a flat list of the values in its
- * cells, row by row. Each row has twice as many cells as the grid has rows. */
+ * cells, row by row. The number of cells in a row is twice the number of rows. */
 static int sphere_map(lua_State *L) {
   static const char *const what[] = {"head", "cup", "pressure", "cross shear", "creep", NULL};
   const arc_joint *joint = joint_at(L, 1, "map");
@@ -373,8 +373,8 @@ static int sphere_update(lua_State *L) {
 }
 
 /* advance(joint, gait, k, alpha, most, record, tolerance, step, creep) wears the joint by one step
- * with error control, of at most `most` cycles. Returns the new record and the length of the next
- * step [cycles]. */
+ * of at most `most` cycles, whose length is chosen by error control. Returns the new record and the
+ * length of the next step [cycles]. */
 static int sphere_advance(lua_State *L) {
   worn w;
   arc_error error = {0};

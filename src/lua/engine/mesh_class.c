@@ -101,8 +101,8 @@ static int mesh_surface(lua_State *L) {
   return push_numbers(L, mesh->surface_node, mesh->surface);
 }
 
-/* mesh:box() returns the numbers of the nodes of the wear box. The list has rows + 1 nodes for each
- * surface node, from the surface inwards. */
+/* mesh:box() returns the numbers of the nodes of the wear box: for each surface node, this node and
+ * one node for each row of elements, from the surface inwards. */
 static int mesh_box(lua_State *L) {
   const arc_mesh *mesh = self(L);
   return push_numbers(L, mesh->box_node, mesh->surface * (mesh->rows + 1));
@@ -166,8 +166,8 @@ static void push_quality(lua_State *L, arc_quality quality) {
   strict_table(L, "mesh:quality");
 }
 
-/* mesh:quality() returns the worst value of each measure of element shape over all elements. The
- * field `box` of the result has the worst values over the elements of the wear box. */
+/* mesh:quality() returns the worst value over all elements for each measure of element shape. The
+ * field `box` of the result contains the worst values over the elements of the wear box. */
 static int mesh_quality(lua_State *L) {
   push_quality(L, arc_mesh_quality(self(L), NULL));
   push_quality(L, arc_mesh_box_quality(self(L), NULL));

@@ -14,9 +14,8 @@ const char *pair_show(const arc_model_def *model, char *text, size_t size);
  * are set. */
 void pair_add_materials(luaL_Buffer *text, const arc_model_def *model);
 
-/* Adds the layers of a body from the surface inwards. Before each layer the text `before` is added.
- * The text of a layer is such as "0.003 mm of E 400000 MPa nu 0.3 k 1e-10 mm2/N = 1e-07 mm3/(N
- * m)". */
+/* For each layer of a body, from the surface inwards, adds the text `before` and a text such as
+ * "0.003 mm of E 400000 MPa nu 0.3 k 1e-10 mm2/N = 1e-07 mm3/(N m)". */
 void pair_add_layers(luaL_Buffer *text, const arc_model_def *model, arc_body body,
                      const char *before);
 

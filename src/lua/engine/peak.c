@@ -15,8 +15,8 @@ static size_t largest(const arc_array *p) {
   return most;
 }
 
-/* Returns true if the pressure at the mirrored point is equally large. The mirrored point has the
- * opposite value of `along`, and the same value of `across` unless this is NULL. */
+/* Returns true if the pressure at the mirrored point is as large as at point `most`. Mirroring
+ * changes the sign of the coordinate `along`, but not the coordinate `across` (may be NULL). */
 static int is_mirrored(const arc_array *p, const arc_array *along, const arc_array *across,
                        size_t most) {
   const double at = along->values[most], least = (1 - alike) * p->values[most];

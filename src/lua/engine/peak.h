@@ -7,10 +7,10 @@
 
 #include <stddef.h>
 
-/* Writes the position of the largest pressure of the upper body into text [size], such as " (x =
- * 1.8 mm)"; in 3-D also z. In "x = +-1.8 mm" the pressure at the mirrored point is equally large.
- * Writes "" if `center`, the pressure at the centre [MPa], is as large, or without arrays. `arrays`
- * are the `count` surface arrays of a contact, which include the pressure p [MPa]. */
+/* Writes the position of the largest pressure on the upper body into `text`, such as " (x = 1.8
+ * mm)"; in 3-D also z. The sign "+-" means that the pressure is equally large at both signs. Writes
+ * "" if the pressure `center` at the centre [MPa] is equally large, or if the pressure p [MPa] is
+ * not among the `count` surface arrays `arrays`. */
 void peak_position(const arc_array *arrays, size_t count, double center, char *text, size_t size);
 
 #endif

@@ -92,8 +92,8 @@ static void push_setting(lua_State *L, const char *path, const arc_setting *s) {
   set_flag(L, "fixed", (s->forms & ARC_FIXED) != 0);
 }
 
-/* Appends the settings of a list to the table on top of the stack. The settings of a group follow
- * the group, unless the group has a class of its own, where its settings are listed. */
+/* Appends the settings of a list to the table on top of the stack. Each group is followed by its
+ * settings, unless the group has its own class, whose list contains them. */
 static void add_list(lua_State *L, const char *prefix, const arc_setting *list) {
   luaL_checkstack(L, 8, "settings");
   for (const arc_setting *s = list; s->name; s++) {

@@ -78,8 +78,8 @@ static lua_Integer largest_of(lua_State *L, const char *name) {
   return best;
 }
 
-/* Pushes a line of text with the largest value of one stress in the table on top of the stack, and
- * the position of the largest value. */
+/* Pushes a line of text with the largest value of one stress, and its position. The stress is in
+ * the table on top of the stack. */
 static void push_largest(lua_State *L, const char *label, const char *stress) {
   char line[160];
   lua_Integer at = largest_of(L, stress);

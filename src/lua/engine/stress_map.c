@@ -47,13 +47,14 @@ static cut read_cut(lua_State *L, int index, const char *where, const arc_model_
   return c;
 }
 
-/* Grid points of the window. Row i of the grid is at x[i * nz], column j at z[j]. */
+/* Coordinates of the grid points of the window: row i is at x[i * nz], column j at z[j]. */
 typedef struct window {
   const double *x, *z;
   size_t nx, nz;
 } window;
 
-/* Fills value[ARRAYS][n] with the stresses [MPa] at the n grid points of the plane at depth `y`. */
+/* Computes the stresses [MPa] at the n grid points of the plane at depth `y`: n values of each
+ * component, then n equivalent stresses. */
 static void fill_plane(lua_State *L, const arc_contact *contact, const cut *c, double y, size_t n,
                        double *value, const char *where) {
   arc_error error = {0};
@@ -66,7 +67,7 @@ static void fill_plane(lua_State *L, const arc_contact *contact, const cut *c, d
   }
 }
 
-/* Creates a map of values [nx][nz] and sets it as field `name` of the table on top of the stack. */
+/* Creates a map of nx * nz values and sets it as field `name` of the table on top of the stack. */
 static void set_map(lua_State *L, const char *name, const double *x, size_t nx, const double *z,
                     size_t nz, const double *value) {
   script_require(L, "archard.map.made");

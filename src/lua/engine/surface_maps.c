@@ -16,7 +16,7 @@ void model_check_meshed(lua_State *L, const arc_model *model, const char *where)
                 "meshes");
 }
 
-/* Grid points of a map. Row i of the grid is at x[i * nz], column j at z[j]. */
+/* Coordinates of the grid points of a map: row i is at x[i * nz], column j at z[j]. */
 typedef struct lattice {
   const double *x, *z;
   size_t nx, nz;
@@ -32,7 +32,7 @@ static lattice lattice_of(const arc_array *arrays, size_t count, arc_body body) 
   return l;
 }
 
-/* Sets a field of the table on top of the stack to the list of the x positions of a lattice. */
+/* Sets a field of the table on top of the stack to the list of the x coordinates of a grid. */
 static void set_x(lua_State *L, const char *field, const lattice *l) {
   lua_createtable(L, (int)l->nx, 0);
   for (size_t i = 0; i < l->nx; i++) {

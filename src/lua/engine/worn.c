@@ -62,7 +62,8 @@ static arc_depths push_profile(lua_State *L, int index, args_location location) 
   luaL_checkstack(L, 12, location.where);
   if (luaL_callmeta(L, index, "__worn")) index = lua_gettop(L);
   if (!lua_istable(L, index))
-    args_refuse(L, location, "", "a table { x=, h= } or an object whose __worn returns one");
+    args_refuse(L, location, "",
+                "a table { x=, h= } or an object whose __worn returns such a table");
   profile.x = push_column(L, index, location, "x", &profile.count);
   profile.h = push_column(L, index, location, "h", &depths);
   if (depths != profile.count || depths < 2)

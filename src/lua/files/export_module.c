@@ -207,8 +207,8 @@ static int export_msh(lua_State *L) {
 
 /* --- text files and the sandbox --------------------------------------------------------------- */
 
-/* write(where, path, text) writes a complete file. On failure it raises an error of the function
- * `where`, and no incomplete file remains. */
+/* write(where, path, text) writes a complete file. On failure it raises an error that names the
+ * function `where`, and no incomplete file remains. */
 static int files_write(lua_State *L) {
   size_t length;
   const char *where = luaL_checkstring(L, 1);
@@ -219,8 +219,8 @@ static int files_write(lua_State *L) {
   return 0;
 }
 
-/* read(where, path) returns the text of a regular file. On failure it raises an error of the
- * function `where`. */
+/* read(where, path) returns the text of a regular file. On failure it raises an error that names
+ * the function `where`. */
 static int files_read(lua_State *L) {
   const char *where = luaL_checkstring(L, 1);
   const char *path = path_argument(L, 2, where, "file");

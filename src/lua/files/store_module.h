@@ -14,8 +14,8 @@ arc_store *store_push(lua_State *L, const char *path, arc_store_mode mode, const
 /* Returns the case number at `index`. Errors: ARC_ARGUMENT if the value is not a case number. */
 int store_id_argument(lua_State *L, int index, const char *where);
 
-/* Pushes the wear object stored as case `id`. The table at index `given` (0: none) contains the
- * settings of the run that are functions, because a file cannot store them. */
+/* Pushes the wear object stored as case `id`. A file cannot store functions; therefore the table at
+ * index `given` (0: none) contains the settings of the run that are functions. */
 void store_push_wear(lua_State *L, arc_store *store, int id, int given, const char *where);
 
 /* --- store_values.c: named values as Lua tables ----------------------------------------------- */

@@ -209,8 +209,9 @@ static void list_functions(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 1]) {
   list[count] = (arc_setting){.name = NULL};
 }
 
-/* Raises an error unless the user passes functions for exactly those settings that were functions
- * in the saved run. Pushes the holder of the functions, or nil if there are none. */
+/* Raises an error unless the user passes functions for all settings that were functions in the
+ * saved run, and for no other settings. Pushes the holder of the functions, or nil without
+ * functions. */
 static void push_functions(lua_State *L, arc_stored_run *run, int given, const char *where) {
   args_location location = {where, ""};
   arc_setting again[ARC_WEAR_SETTINGS_COUNT + 1];

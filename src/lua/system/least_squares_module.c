@@ -38,8 +38,7 @@ typedef struct callback {
   int failed;   /* true if the call failed; the error value is on top of the stack */
 } callback;
 
-/* Calls the user's function with a list and copies the list that it returns. Is called by
- * lua_pcall. */
+/* Calls the user's function with a list and copies the returned list. Runs inside lua_pcall. */
 static int call_protected(lua_State *L) {
   callback *call = lua_touserdata(L, 2);
   lua_getfield(L, PROBLEM, call->name);
@@ -96,9 +95,9 @@ static outcome minimise(gsl_multifit_nlinear_workspace *work, gsl_multifit_nline
 }
 
 /* solve{ x=, count=, residuals=, jacobian=, iterations=, tolerance= } returns x, the number of
- * iterations, and the reason of the end: "step" (the last step was small), "gradient", or GSL's
- * message if the search failed. residuals(x) must return a list [count], jacobian(x) a flat list,
- * row by row [count * #x]. */
+ * iterations, and the reason for the end: "step" (the last step was small), "gradient", or GSL's
+ * message if the search failed. residuals(x) must return a list of `count` numbers, jacobian(x) a
+ * flat list of count * #x numbers, row by row. */
 static int solve(lua_State *L) {
   luaL_checktype(L, PROBLEM, LUA_TTABLE);
   lua_settop(L, PROBLEM);
@@ -128,9 +127,9 @@ static int solve(lua_State *L) {
 
 /* --- singular values -------------------------------------------------------------------------- */
 
-/* svd{ a=, rows=, columns= } returns u, s, v with a = u diag(s) v', all flat, row by row, with rows
- * >= columns. The method is one-sided Jacobi, so that small singular values are as accurate as
- * large ones. */
+/* svd{ a=, rows=, columns= } returns u, s and v with a = u diag(s) v', each as a flat list, row by
+ * row. `rows` must be at least `columns`. The method is one-sided Jacobi, so that small singular
+ * values are as accurate as large ones. */
 static int svd(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 1);

@@ -25,8 +25,8 @@
 
 extern char **environ;
 
-/* LINE is the length of the longest line of a worker [bytes]. WORDS is the number of bytes of a
- * worker's standard error that are stored. MOST_WORKERS and MOST_ARGUMENTS are limits of a pool. */
+/* LINE is the largest length of a worker's line [bytes]. The last WORDS bytes of a worker's
+ * standard error are stored. MOST_WORKERS and MOST_ARGUMENTS are limits of a pool. */
 enum { LINE = 4096, WORDS = 400, MOST_WORKERS = 256, MOST_ARGUMENTS = 1000 };
 
 typedef struct worker {
@@ -48,7 +48,7 @@ typedef struct pool {
 /* --- one worker ------------------------------------------------------------------------------- */
 
 /* Starts a worker. Returns 0 or an errno. `ends` are the channels for input, output and errors of
- * the worker. The child process uses end [0] of the first channel and end [1] of the other two. */
+ * the worker. The child process uses end 0 of the first channel and end 1 of the other two. */
 static int connect_and_start(const pool *p, int ends[3][2], pid_t *process) {
   int failed = 0;
   for (int i = 0; i < 3 && !failed; i++) failed = arc_child_channel(ends[i], i == 0);
@@ -372,7 +372,7 @@ static int process_processors(lua_State *L) {
 }
 
 /* process.pause(seconds, stand) waits. An interrupt ends the pause with the error "interrupted". If
- * the text `stand` is given, this text and a colon precede "interrupted" in the error. */
+ * the text `stand` is given, the error is this text and ": interrupted". */
 static int process_pause(lua_State *L) {
   const int wait = wait_argument(L, 1);
   const char *stand = luaL_optstring(L, 2, NULL);

@@ -48,10 +48,10 @@ static int fill_latin(const points *p) {
   return 0;
 }
 
-/* Fills Sobol points with a random digital shift (exclusive or) for each axis. The shift preserves
- * the uniformity of the set and makes the distribution of each point uniform. Half a cell is added,
- * so that no coordinate is 0. The first point (the origin), which GSL omits, is included, because
- * without it 2^m points would not be evenly distributed. */
+/* Computes Sobol points with a random digital shift (exclusive or) for each axis. The shift
+ * preserves the uniformity of the set and makes the distribution of each point uniform. Half a cell
+ * is added, so that no coordinate is 0. The first point (the origin) is included although GSL omits
+ * it, because without it 2^m points would not be evenly distributed. */
 static int fill_sobol(const points *p) {
   const double cells = (double)(1UL << SOBOL_BITS);
   unsigned long flip[SOBOL_MOST];

@@ -67,7 +67,7 @@ static void refuse_layers(lua_State *L, const arc_model_def *model) {
       if (k > 0)
         error_raise(L, ARC_ARGUMENT, "wear",
                     "fields 'k' and 'alpha': layer %d of the %s has its own wear coefficient, %s "
-                    "mm2/N; expected only one of the two: give the k of each material instead",
+                    "mm2/N; set either k and alpha or the k of each material",
                     l + 1, arc_body_name((arc_body)b), args_show_number(L, k));
     }
 }
@@ -79,11 +79,12 @@ static void check_coefficients(lua_State *L, const wear_request *request,
   if (!request->own_k || !arc_wear_def_of_bodies(&def, model)) return;
   if (!(model->material[ARC_CYLINDER].k > 0 || model->material[ARC_PLATE].k > 0))
     refuse_layers(L, model);
-  error_raise(L, ARC_ARGUMENT, "wear",
-              "fields 'k' and 'alpha': the bodies have their own wear coefficients, %s and %s "
-              "mm2/N (model.cylinder.k, model.plate.k); expected only one of the two",
-              args_show_number(L, model->material[ARC_CYLINDER].k),
-              args_show_number(L, model->material[ARC_PLATE].k));
+  error_raise(
+      L, ARC_ARGUMENT, "wear",
+      "fields 'k' and 'alpha': the bodies have their own wear coefficients, %s and %s "
+      "mm2/N (model.cylinder.k, model.plate.k); set either k and alpha or the k of the bodies",
+      args_show_number(L, model->material[ARC_CYLINDER].k),
+      args_show_number(L, model->material[ARC_PLATE].k));
 }
 
 /* Constructor wear{ model=, k=, alpha=, load=, stroke=, ... }. It is the metamethod __call of

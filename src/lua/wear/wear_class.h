@@ -32,8 +32,8 @@ typedef struct wear_request {
  * or the defaults if `changed` is 0. Buffers of arrays stay on the stack. */
 wear_request wear_request_read(lua_State *L, int index, int changed);
 
-/* Returns the definition of a requested run with the missing values from the data of its model.
- * Converts `cycles` to a distance. */
+/* Returns the definition of a requested run. Values not set by the user are derived from the model,
+ * and `cycles` is converted to a distance. */
 arc_wear_def wear_request_settle(const wear_request *request, const arc_model_def *model);
 
 /* --- wear_loading.c: the field `loading` ------------------------------------------------------ */

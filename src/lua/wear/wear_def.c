@@ -56,8 +56,8 @@ static void share_cycles(lua_State *L, args_location location, wear_request *req
   for (int b = 0; b + 1 < def->blocks; b++) before += def->loading[b].cycles;
   if (request->cycles > 0 && (isfinite(last->cycles) || !(request->cycles > before)))
     error_raise(L, ARC_ARGUMENT, location.where,
-                "field 'cycles': expected more than the %s cycles of the blocks of loading before "
-                "the last one, and no cycles in the last one; got %s",
+                "field 'cycles': expected more than the %s cycles of all blocks of loading but the "
+                "last, and no cycles in the last block; got %s",
                 args_show_number(L, before), args_show_number(L, request->cycles));
   if (request->cycles > 0) last->cycles = request->cycles - before;
   if (!distance_given && isfinite(last->cycles)) def->distance = 0;
@@ -114,8 +114,8 @@ static wear_request begin_request(lua_State *L, int index, int changed, args_loc
   return request;
 }
 
-/* Applies a new loading, which also defines the motion. The nominal load of a new run becomes
- * the largest load of the loading, unless the user set a load. */
+/* Applies a new loading, which also defines the motion. If the user set no load, the nominal load
+ * of a new run becomes the largest load of the loading. */
 static void settle_loading(lua_State *L, int index, args_location location, wear_request *request,
                            int changed) {
   if (args_given(L, index, "stroke"))

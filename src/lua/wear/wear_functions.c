@@ -9,7 +9,7 @@
 
 /* Indices of the user values of the holder, a userdata that stores the functions of a run. During a
  * call the values on the stack have the same order. The index of a function is its index in
- * arc_wear_settings plus 1. The indices of the state object and the error value follow. */
+ * arc_wear_settings plus 1. Then the state object and the error value follow. */
 enum {
   LOCAL = ARC_AT_local_factor + 1,
   STATE = ARC_WEAR_SETTINGS_COUNT + 1,

@@ -64,7 +64,7 @@ static double read_distance(lua_State *L, const arc_wear *wear) {
 typedef struct measure {
   const char *group, *name; /* a field such as depth, and its subfield (NULL: none) */
   int column;
-  int grows; /* true if the measure never decreases; a target must then exceed its present value */
+  int grows; /* true if the measure never decreases; its target must exceed the present value */
 } measure;
 
 #define COLUMN(name) ARC_WEAR_COLUMN_##name

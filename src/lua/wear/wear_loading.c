@@ -79,8 +79,8 @@ static size_t values_in(const reading *r, const char *name) {
   return length;
 }
 
-/* Sets the sampled times of the block. If the user sets `increments`, the times are uniform.
- * Otherwise they are the times `t`, or without `t` uniform times for the user's arrays, or for 100
+/* Sets the sampled times of the block. With the field `increments` they are uniform. Otherwise they
+ * are the times `t`. Without `t` they are uniform: one for each value of the user's arrays, or 100
  * increments if there are only functions. */
 static void find_times(reading *r, int increments) {
   lua_State *L = r->L;
@@ -137,8 +137,8 @@ static void sample_function(const reading *r, const char *name, double *value) {
   }
 }
 
-/* Samples the field `name` at the block's times into a buffer and appends the buffer to the list at
- * `holder`. A number is constant in time. If the field is nil, all values are `constant`. If
+/* Samples the field `name` at the block's times into a buffer, which is appended to the list at
+ * `holder`. A number applies to all times. If the field is nil, all values are `constant`. If
  * `constant` is NaN, a number or nil raises an error. */
 static const double *sample(const reading *r, int holder, const char *name, double constant) {
   lua_State *L = r->L;

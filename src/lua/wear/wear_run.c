@@ -41,8 +41,8 @@ static int count_argument(lua_State *L, int index, const char *where) {
   return (int)value;
 }
 
-/* Pushes the last record. The text of the record shows the rows of the history from row `first` on,
- * which are the updates of this call. */
+/* Pushes the last record. The text of the record shows the updates of this call, which are the rows
+ * of the history from row `first` on. */
 static void push_progress(lua_State *L, const arc_wear *wear, size_t first) {
   size_t count;
   const arc_wear_record *records = arc_wear_history(wear, &count);

@@ -11,8 +11,8 @@ static int call_module(lua_State *L, const char *module) {
   return 1;
 }
 
-/* wear:sensitivity{ of=, to= } returns the sensitivities of the results `of` to the numbers `to` of
- * the definition. */
+/* wear:sensitivity{ of=, to= } returns the sensitivities of the results that `of` names to the
+ * numbers of the definition that `to` names. */
 int wear_sensitivity(lua_State *L) {
   wear_self(L, "wear:sensitivity");
   return call_module(L, "archard.uncertainty.sensitivity");

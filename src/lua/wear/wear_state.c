@@ -84,8 +84,8 @@ static int wear_saved(lua_State *L) {
 NUMBER_FIELD(wear, total_distance, def(L)->distance)
 NUMBER_FIELD(wear, strokes, arc_wear_strokes(self(L)))
 NUMBER_FIELD(wear, cycles, arc_wear_cycles(self(L)))
-/* Field `load`: the setting, which is the load of the reference configuration [N]. The column
- * load_reference is the load of the last update instead. */
+/* Field `load`: the load of the reference configuration [N], as defined by the user. The column
+ * load_reference contains the load of the last update. */
 NUMBER_FIELD(wear, load, def(L)->load)
 /* Field `stroke`: the stroke of the plate [mm], also for runs with loading. */
 NUMBER_FIELD(wear, stroke, arc_wear_travel(self(L)))

@@ -1,6 +1,6 @@
--- Wear of a bush alone, with radius R and clearance c = gap, in closed form at the angle t from the load:
--- depth delta cos t - c and pressure p0 cos t within the contact |t| < e, where cos e = c / delta; worn
--- volume 2 R c (tan e - e).
+-- Closed form for a bush of radius R and clearance c = gap that wears alone. At the angle t from the load,
+-- the depth is delta cos t - c and the pressure p0 cos t within the contact |t| < e, where cos e = c / delta.
+-- The worn volume is 2 R c (tan e - e).
 local bush = {}
 
 -- Returns the half angle e of the contact [rad] for a worn volume.
