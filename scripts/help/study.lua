@@ -210,7 +210,8 @@ return {
 
   -- --- calibrate ------------------------------------------------------------------------------
   { "calibrate", kind = "function", class = "calibration", takes = "wear",
-    use = "calibrate{ volume={ cylinder={...}, plate={...} }, load=100, distance=1320 }",
+    use = "c = calibrate{ volume={ cylinder={ 0.5, 0.6 }, plate={ 1.1, 1.3 } },\n  load=100, distance=1e6 }\n"
+      .. "print(c, c.k, c.low.k, c.high.k)   w = wear{ k=c.k, alpha=c.alpha }",
     text = "Computes wear coefficients (specific wear rates) from measured wear. Divide a mass loss by the "
       .. "density. Use 0 for a body that does not wear or was not measured. Volumes determine k, k_cylinder, "
       .. "k_plate and alpha (Eq. 12), with the scatter of repeated tests and confidence intervals of the "

@@ -206,13 +206,26 @@ A ball on a rotating disc in three dimensions; both wear, and the disc gets a tr
 track is the mean radius of the track in mm; a cycle is a revolution, so a distance d in mm is cycles = d / (2 * math.pi * track).
 k_cylinder is the wear coefficient of the pin, k_plate that of the disc, in mm2/N (help "units").
 
-A pin with a flat end is a body.punch{} with geometry = "axisymmetric". If only the pin wears (alpha = 1), no track is needed; with
-track the disc wears too, but remains flat: its depth is the mean over the track. See help "axisymmetric". For a ball, use "3-D".
-Wear of both bodies from published volumes: calibrate{}. See examples "pin_on_disc_3d".]] },
+Without E and nu bodies are of steel, 200 GPa and 0.3; body.ball{ radius=3, E=310e3, nu=0.23 } is one of ceramics. Speed is not used:
+results depend on the distance.
+
+A pin with a flat end of 4 mm, with edges of radius 0.5 mm:
+
+  w = wear{ model={ geometry="axisymmetric",
+      upper=body.punch{ flat=4, radius=0.5 }, mesh={ size=0.1 } },
+      load=50, slide="z", track=20, k_cylinder=1e-7, k_plate=1e-8,
+      cycles=1000, scheme="implicit" }
+
+The disc then remains flat: its depth is the mean over the track. With alpha = 1 only the pin wears. See help "axisymmetric". k from
+measured volumes: calibrate{}. See examples "pin_on_disc_3d".]] },
 
   { "measured surface", [[
 A trace of a profilometer is read by profile.read, a measured area by map.read. Both remove tilt, outliers and missing points, and
-convert units to mm.
+convert units to mm. A trace is a text file with two columns; the first line has their names and units:
+
+  x [mm],z [um]
+  -0.800,10.8137
+  -0.799,10.8022
 
 To compare a run with a measured scar:
 
@@ -254,7 +267,7 @@ is pressed with 100 N on a plate, which is moved by an oscillating force of 30 N
   print(w.gross, w.cycle_energy)     -- 0: partial slip; N mm in each cycle
   plot.loop(w)                       -- tangential force over displacement
 
-tangential is the amplitude of the force, which must be less than friction times load; stroke, instead of a force, is the full motion in mm, twice the
+tangential is the amplitude of the force, which must be less than friction times load; stroke=0.02, instead of a force, is the full motion in mm, twice the
 amplitude. If the force is small, the middle of the contact sticks and only its edges slip and wear: partial slip. Beyond friction times load the whole contact
 slips: gross slip, w.gross is 1. study.fretting_map{} computes both regimes for many loads and motions.
 
