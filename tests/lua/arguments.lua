@@ -185,3 +185,11 @@ local fine = model{ mesh = { size = 0.04 } }
 near(fine.mesh.height, 0.05, 1e-15, "the height of an element is 1.25 times its width")
 is(model{ mesh = { size = 0.04, height = 0.03 } }.mesh.height, 0.03,
   "an element height given by the user is used")
+
+-- Values far from all materials and bodies: an error, or the exact volume.
+fails(function() wear{ model = { cylinder = { E = 1e-300 }, mesh = { size = 0.1, height = 0.1 } } } end, "larger than the bodies allow",
+  "a modulus of 1e-300 MPa")
+require "archard.warnings".keep()
+local thick = wear{ distance = 11, increments = 4, jump = 50, model = { thickness = 9e18, mesh = { size = 0.05, height = 0.05 } } }
+thick:run()
+tap.near(thick.volume.total, 1e-8 * 100 * 11, 1e-12, "volume of bodies that are 9e18 mm thick")

@@ -82,8 +82,8 @@ static arc_status refuse_zones(const arc_model_def *def, const double zone[ARC_B
              ": %.0f degrees to either side for the contact during the rotation", degrees);
   arc_units_doubt(def, doubt, sizeof doubt);
   return arc_fail(error, ARC_ZONE,
-                  "%s (this run needs zones of %.2f and %.2f mm, larger than the bodies allow, "
-                  "%.2f and %.2f mm%s%s)",
+                  "%s (this run needs zones of %.6g and %.6g mm, larger than the bodies allow, "
+                  "%.6g and %.6g mm%s%s)",
                   why->message, zone[ARC_CYLINDER], zone[ARC_PLATE],
                   arc_model_widest_zone(def, ARC_CYLINDER), arc_model_widest_zone(def, ARC_PLATE),
                   angle, doubt);
