@@ -194,8 +194,8 @@ typedef struct arc_loading {
       "between two refreshes); use it to see the effect of these terms. No effect in 3-D.")        \
   CHOICE(procedure, procedure, ARC_AUTO, 0,                                                        \
          "\"SP\" simulates the sliding plate (Eq. 22). \"NSP\" solves one contact per update, "    \
-         "which is correct if the plate stays flat: for alpha = 1 (in 3-D over a flat lower "      \
-         "body), or a stroke of twice the radius (Eqs. 24-27). \"auto\" chooses between them.")    \
+         "which is correct if the plate stays flat: if alpha = 1 and, in 3-D, the lower body is "  \
+         "flat, or if the stroke is twice the radius (Eqs. 24-27). \"auto\" chooses one of them.") \
   CHOICE(slip, slip, ARC_SLIP_RIGID, 0,                                                            \
          "Sliding distance of an increment. \"rigid\": the motion of the plate; the wear volume "  \
          "is then exactly k times load times distance. \"total\": this motion plus the elastic "   \

@@ -105,7 +105,7 @@ end
 -- stroke to the other.
 local function stroke_film(w, count, delay, given)
   local where = "plot.animate"
-  if curves.get(w.model, "geometry") ~= "3-D" then check.refuse(where, "what", '"profile", "pressure" or "both" without geometry = "3-D"', "stroke") end
+  if curves.get(w.model, "geometry") ~= "3-D" then check.refuse(where, "what", '"profile", "pressure" or "both", because geometry is not "3-D"', "stroke") end
   local list, contact, most, half_x, half_z = {}, w:contact(), 0, 0, 0
   for i = 1, count do
     local x = w.stroke * (count > 1 and (i - 1) / (count - 1) - 0.5 or 0)

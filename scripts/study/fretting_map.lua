@@ -92,8 +92,8 @@ local function add_end(sums, share, contact)
   sums.count = sums.count + 1
 end
 
--- Returns the force at which the slip annulus reaches the fraction `annulus` of the contact width, as a
--- fraction of the sliding force. Returns `sliding` if the annulus stays smaller until the contact slides.
+-- Returns the force at which the slip annulus covers the fraction `annulus` of the contact width, divided
+-- by the force at which the contact slides. If the contact slides before, returns `sliding`.
 local function partial_share(pressed, annulus)
   local sums = { 0, 0, 0, 0, of = { 0, 0 }, count = 0 }
   for i = 1, levels do

@@ -1,4 +1,4 @@
-/* Converts and cleans gnuplot's pictures in characters. */
+/* Converts and cleans the plots that gnuplot draws with characters (terminal `dumb`). */
 #ifndef PLOT_CHARACTERS_H
 #define PLOT_CHARACTERS_H
 

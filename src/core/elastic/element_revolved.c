@@ -1,4 +1,5 @@
-/* Elements of revolution: rings about the axis x = -axis with the hoop strain u_x / r. Triangles
+/* Elements of revolution: rings at the distance r from the axis of the body, with the hoop strain
+ * u_x / r. Triangles
  * and quadrilaterals are fully integrated. With the same dilatation in the whole element
  * (B-bar), quadrilaterals do not lock if Poisson's ratio is near 1/2. */
 #include "core/elastic/element.h"

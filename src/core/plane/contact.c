@@ -163,7 +163,8 @@ static double round_zone(double zone, double widest) {
   return up <= widest ? up : floor(widest / unit) * unit;
 }
 
-/* Returns true if the contact lies outside the widest possible zone of the plate. */
+/* Returns true if the middle of the contact is outside the zone of the plate, even if this zone had
+ * its largest possible width. */
 static int is_off(const arc_contact *c) {
   const arc_model_def *model = arc_model_definition(c->handle.shape->handle.model);
   if (arc_model_body(c->handle.shape->handle.model, ARC_UPPER)->chart.polar) return 0;

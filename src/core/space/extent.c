@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Values of the cells. Between two cells, value^power is interpolated linearly to the position
- * where the value equals `level`. */
+/* Values of the cells. The position between two cells where the value equals `level` is found by
+ * linear interpolation of value^power. */
 typedef struct field {
   const double *value;
   int rows, columns, power;

@@ -288,9 +288,9 @@ static void average(double *a, double *b) {
   *a = *b = (*a + *b) / 2;
 }
 
-/* Averages a field of each position with its mirror image across the motion if the bodies are
- * symmetric, so that they remain symmetric. Like bodies in a single middle position are also
- * averaged along the motion. */
+/* If the bodies are symmetric, averages the field of each position with its mirror image across the
+ * motion, so that the bodies remain symmetric. If both bodies are also alike and the cycle has only
+ * the middle position, averages with the mirror image along the motion, too. */
 static void make_even(const slip_cycle *c, double *value) {
   const int nx = arc_halfspace_definition(c->h)->nx, nz = arc_halfspace_definition(c->h)->nz;
   const space_shape *s = space_shape_of(c->v->shape);

@@ -1,5 +1,5 @@
-/* Module `archard.measure`: computes quantities from wear profiles, and creates tables by body. The
- * classes in C use the functions of measure_module.h directly. */
+/* Module `archard.measure`: computes quantities from wear profiles, and creates tables with one
+ * entry per body. The classes in C use the functions of measure_module.h directly. */
 #include "lua/engine/bodies.h"
 #include "lua/engine/classes.h"
 #include "lua/engine/measure_module.h"
