@@ -176,8 +176,6 @@ static run_status run_command(lua_State *L, const command *self) {
   return status;
 }
 
-/* Prints warnings of Lua's warn() and of this program on standard error. Messages that begin
- * with "@" are control messages of Lua and are not printed. */
 /* Prints a text without control characters, which names in files may contain. */
 static void print_plain(const char *text) {
   const size_t capacity = 4 * strlen(text) + 1;
@@ -188,6 +186,8 @@ static void print_plain(const char *text) {
   free(shown);
 }
 
+/* Prints warnings of Lua's warn() and of this program on standard error. Messages that begin
+ * with "@" are control messages of Lua and are not printed. */
 static void print_warning(void *ignored, const char *message, int to_be_continued) {
   static int continued = 0, silent = 0;
   (void)ignored;

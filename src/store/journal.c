@@ -29,8 +29,8 @@ static int names_a_file(int journal, off_t size) {
  * before the change, size of a page. */
 enum { PAGES = 16, PAGE = 24, HEADER = 28 };
 
-static long long number_at(const unsigned char *at) {
-  return (long long)at[0] << 24 | at[1] << 16 | at[2] << 8 | at[3];
+static double number_at(const unsigned char *at) {
+  return (double)at[0] * 0x1p24 + at[1] * 0x1p16 + at[2] * 0x1p8 + at[3];
 }
 
 /* Returns true if a journal can be one of the file: its owner may write the file, and the journal
@@ -49,7 +49,7 @@ static int fits(int journal, const struct stat *its, const char *name) {
     return 0;
   if (pread(journal, header, HEADER, 0) != HEADER) return 1;
   return number_at(header + PAGES) * number_at(header + PAGE) <=
-         (long long)file.st_size + (long long)its->st_size;
+         (double)file.st_size + (double)its->st_size;
 }
 
 /* Returns true if the journal is safe. A journal that cannot be opened is safe, because SQLite

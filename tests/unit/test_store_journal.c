@@ -146,13 +146,13 @@ static void test_names_a_file(void **state) {
   assert_there("other-journal");
 }
 
-/* Tests that a journal which would enlarge the file to 8 TB is refused, and one of a user who may
+/* Tests that a journal which would enlarge the file to 17 TB is refused, and one of a user who may
  * not write the file (which only root can test). */
 static void test_of_another(void **state) {
   (void)state;
   lay_file("victim");
   copy_good("large");
-  fclose(begin_journal("large", 0, 2000000000));
+  fclose(begin_journal("large", 0, 4294967295u));
   assert_none_of_ours("large");
   if (geteuid() != 0) return;
   arc_error error = {0};
