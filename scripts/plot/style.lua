@@ -29,9 +29,14 @@ local function of_numbers(low, high)
   end)
 end
 
+-- An .svg file has the name of the font as an attribute, in which gnuplot escapes nothing.
+local font = check.kind("the name of a font, without the characters \" < > & and control characters", function(v)
+  return type(v) == "string" and not v:find '["<>&%c]'
+end)
+
 local fields = {
   width = check.one_of({ "column", "page", "single", "double" }, of_numbers(20, 1000)), height = of_numbers(15, 1000),
-  font = check.text, points = of_numbers(3, 72), dpi = of_numbers(30, 2400),
+  font = font, points = of_numbers(3, 72), dpi = of_numbers(30, 2400),
   lines = of_numbers(0.1, 10), title = check.flag, colour = check.one_of({ "grey" }, check.flag),
 }
 

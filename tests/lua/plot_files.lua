@@ -76,6 +76,9 @@ do
   plot { line, file = folder .. "/c.png", size = { 1000, 500 } }
   width, height = png_size("c.png")
   ok(width == 1000 and height == 500, "a size given in pixels")
+  for _, evil in ipairs{ 'x" onload="alert(1)', "a\nb", "<b>" } do
+    refused(function() plot.style{ font = evil } end, "plot.style: field 'font': expected the name of a font", "a font that is no name: " .. evil:gsub("%c", " "))
+  end
   plot.style { "paper", font = "Serif" }
   plot { line, file = folder .. "/c.pdf" }
   local box_x, box_y = (read("c.pdf") or ""):match("/MediaBox %[ 0 0 (%d+) (%d+) ?%]")

@@ -106,7 +106,7 @@ for _, text in ipairs(words) do
     label = function(t) plot{ { y = { 1, 2 } }, xlabel = t, x = { label = t }, ylabel = t } end,
     curve = function(t) plot{ { y = { 1, 2 }, title = t } } end,
     colour = function(t) plot{ { y = { 1, 2 }, color = t, colour = t } } end,
-    font = function(t) plot.style{ family = t } plot{ { y = { 1, 2 } }, file = "f.svg" } end,
+    font = function(t) plot.style{ font = t } plot{ { y = { 1, 2 } }, file = "f.svg" } end,
     file = function(t) plot{ { y = { 1, 2 } }, file = t .. ".svg" } end,
     terminal = function(t) plot{ { y = { 1, 2 } }, term = t } end,
     column = function(t) export.csv({ [t] = { 1, 2 } }, "c.csv") plot.csv("c.csv") end,
