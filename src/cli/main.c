@@ -13,6 +13,7 @@
 
 #include <getopt.h>
 #include <lauxlib.h>
+#include <limits.h>
 #include <locale.h>
 #include <lualib.h>
 #include <stdio.h>
@@ -142,10 +143,21 @@ static run_status run_steps(lua_State *L, const command *self) {
   return status;
 }
 
+/* Returns true if the script may be read: in the sandbox, a link must not lead out of its folder.
+ * Otherwise pushes the message. */
+static int may_read(lua_State *L, const command *self, const char *name) {
+  char path[PATH_MAX];
+  arc_error error = {0};
+  if (!self->sandbox.wanted || arc_file_find(name, ARC_FILE_READ, path, &error) == ARC_OK) return 1;
+  lua_pushstring(L, error.message);
+  return 0;
+}
+
 static run_status run_script(lua_State *L, const command *self) {
   const char *name = self->argv[self->script];
   if (strcmp(name, "-") == 0) name = NULL;
   const char *mode = self->sandbox.wanted ? "t" : NULL;
+  if (name && !may_read(L, self, name)) return run_refused(L);
   if (luaL_loadfilex(L, name, mode) != LUA_OK) return run_refused(L);
   int count = self->argc - self->script - 1;
   luaL_checkstack(L, count, "too many arguments to the script");
