@@ -386,7 +386,8 @@ for number = first, last do
   end
   check_run(number)
   for class in pairs(make) do
-    if tostring(objects[class]):find "closed" then world.again(class) end
+    local shown, text = pcall(tostring, objects[class]) -- a call may have changed the table of a body
+    if not shown or text:find "closed" then world.again(class) end
   end
   if number % 250 == 0 or number == last then
     warn "@off"
