@@ -29,8 +29,8 @@ static int names_a_file(int journal, off_t size) {
  * before the change, size of a page. */
 enum { PAGES = 16, PAGE = 24, HEADER = 28 };
 
-static double number_at(const unsigned char *at) {
-  return (double)at[0] * 0x1p24 + at[1] * 0x1p16 + at[2] * 0x1p8 + at[3];
+long long arc_big_endian(const unsigned char *bytes) {
+  return (long long)bytes[0] << 24 | bytes[1] << 16 | bytes[2] << 8 | bytes[3];
 }
 
 /* Returns true if a journal can be one of the file: its owner may write the file, and the journal
@@ -48,8 +48,9 @@ static int fits(int journal, const struct stat *its, const char *name) {
   if (its->st_uid != file.st_uid && its->st_uid != 0 && !(file.st_mode & (S_IWGRP | S_IWOTH)))
     return 0;
   if (pread(journal, header, HEADER, 0) != HEADER) return 1;
-  return number_at(header + PAGES) * number_at(header + PAGE) <=
-         (double)file.st_size + (double)its->st_size;
+  const double before =
+      (double)arc_big_endian(header + PAGES) * (double)arc_big_endian(header + PAGE);
+  return before <= (double)file.st_size + (double)its->st_size;
 }
 
 /* Returns true if the journal is safe. A journal that cannot be opened is safe, because SQLite

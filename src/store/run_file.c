@@ -13,17 +13,13 @@
 
 /* --- recognition of run files */
 
-static long long big_endian(const unsigned char *bytes) {
-  return (long long)bytes[0] << 24 | bytes[1] << 16 | bytes[2] << 8 | bytes[3];
-}
-
 /* Returns true if the file is truncated and has no journal that could restore it. */
 static int is_cut_off(const char *path, const unsigned char *header) {
   const int journalled = arc_journal_stands(path);
   struct stat file;
   long long page = header[16] << 8 | header[17];
   if (page == 1) page = 65536;
-  return !journalled && stat(path, &file) == 0 && file.st_size < page * big_endian(header + 28);
+  return !journalled && stat(path, &file) == 0 && file.st_size < page * arc_big_endian(header + 28);
 }
 
 static arc_status check_header(const arc_store *store, const unsigned char *header, size_t size,
@@ -34,7 +30,7 @@ static arc_status check_header(const arc_store *store, const unsigned char *head
     return arc_fail(error, ARC_FORMAT, "%s: not a run file of archard (%s)", path,
                     size == 0 ? "the file is empty"
                               : "the file does not begin like an SQLite database");
-  long long application = big_endian(header + 68), format = big_endian(header + 60);
+  long long application = arc_big_endian(header + 68), format = arc_big_endian(header + 60);
   if (application != ARC_STORE_APPLICATION)
     return arc_fail(error, ARC_FORMAT,
                     "%s: not a run file of archard but another program's database (its application "
