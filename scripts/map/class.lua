@@ -277,7 +277,7 @@ end
 function class.__tostring(t)
   local low, high = map.limits(t)
   local unit, scale = map.shown_unit(t)
-  local lines = { ("map: %s at %d x %d points"):format(check.plain(t.name), #t.x, #t.z),
+  local lines = { ("map: %s at %d x %d points"):format(t.name, #t.x, #t.z),
     ("  %s; %s"):format(said_axis("x", t.x), said_axis("z", t.z)),
     ("  %.4g to %.4g %s"):format(scale * low, scale * high, unit) }
   if t.form then

@@ -262,7 +262,7 @@ function class.__tostring(self)
     ("  %d done, %d failed, %d waiting"):format(count.done, count.failed,
       count.waiting + count.running) }
   if #self.varied > 0 then lines[#lines + 1] = "  varied: " .. table.concat(self.varied, ", ") end
-  return check.plain(table.concat(lines, "\n"))
+  return table.concat(lines, "\n")
 end
 
 strict.class(class)

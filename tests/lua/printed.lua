@@ -97,6 +97,14 @@ for what, printed in pairs{ material = hostile, body = body.block{ material = ho
   has(printed, "a\\x1b[2J\\xe2\\x80\\xae", "name of a material in the print of a " .. what)
   ok(not tostring(printed):find("\27", 1, true), "no control characters in the print of a " .. what)
 end
+local walk = os.tmpname() .. "\27[2J"
+do
+  local file <close> = io.open(walk, "w")
+  file:write "t,flexion,adduction,rotation,load\n0,0,0,0,1000\n0.5,10,0,0,1000\n1,0,0,0,1000\n"
+end
+has(gait.read(walk), "\\x1b[2J", "name of the file in the print of a gait")
+has(wear{ model = joint{}, loading = gait.read(walk) }, "\\x1b[2J", "name of the file in the print of a joint's run")
+os.remove(walk)
 tap.is(tostring(flat_map), "map: E 100000 MPa nu 0.3", "print of a body.map")
 local named = model{ lower = coated, cylinder = { name = "bronze", E = 1e5 }, mesh = coarse.mesh and { size = 0.1, height = 0.1 } }
 tap.is(named.cylinder.name, "bronze", "the name of a material is stored in the model")

@@ -108,15 +108,10 @@ static int class_close(lua_State *L) {
   return 0;
 }
 
-/* A text may contain names from untrusted files; therefore control characters are escaped. */
 static int class_tostring(lua_State *L) {
   const box_class *class = class_upvalue(L);
   const box *self = box_test(L, 1, class);
-  if (self && self->thing && !self->closing) {
-    class->tostring(L);
-    error_push_plain(L, lua_tostring(L, -1));
-    return 1;
-  }
+  if (self && self->thing && !self->closing) return class->tostring(L);
   lua_pushfstring(L, "%s (closed)", class->name);
   return 1;
 }
@@ -206,6 +201,7 @@ static void fill_metatable(lua_State *L, const box_class *class) {
   push_pointer(L, class);
   lua_pushcclosure(L, class_tostring, 1);
   call_wrap(L);
+  lua_pushcclosure(L, error_plain_result, 1);
   lua_setfield(L, -2, "__tostring");
   set_function(L, "__eq", class, class_eq);
   if (class->destroy) {

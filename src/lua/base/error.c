@@ -64,6 +64,14 @@ void error_push_plain(lua_State *L, const char *text) {
   lua_remove(L, -2);
 }
 
+int error_plain_result(lua_State *L) {
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 1);
+  lua_call(L, lua_gettop(L) - 1, 1);
+  if (lua_type(L, -1) == LUA_TSTRING) error_push_plain(L, lua_tostring(L, -1));
+  return 1;
+}
+
 /* Pops the message on top of the stack and pushes an error object that contains it. */
 static void push_object(lua_State *L, arc_status code, const char *where) {
   error_push_plain(L, lua_tostring(L, -1));

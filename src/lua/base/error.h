@@ -17,6 +17,10 @@
  * are escaped. */
 void error_push_plain(lua_State *L, const char *text);
 
+/* Calls the function in upvalue 1 and returns its result with control characters escaped. The
+ * __tostring of each class is such a closure, because names in files are not trusted. */
+int error_plain_result(lua_State *L);
+
 /* Raises an error object. `format` has the syntax of lua_pushfstring. */
 void error_raise(lua_State *L, arc_status code, const char *where, const char *format, ...)
     __attribute__((noreturn));

@@ -418,7 +418,7 @@ static const char lua_classes[] =
 
 /* class(metatable) completes the metatable of a class of objects made in Lua, and returns it. Its
  * __index returns the methods in __methods and the fields of the object, and raises errors for
- * unknown names. A field in __fields may be nil. */
+ * unknown names. A field in __fields may be nil. The text of __tostring is escaped. */
 static int module_class(lua_State *L) {
   module_methods(L);
   lua_newtable(L);
@@ -437,6 +437,10 @@ static int module_class(lua_State *L) {
   lua_getfield(L, 1, "__name");
   lua_pushcclosure(L, object_newindex, 1);
   lua_setfield(L, 1, "__newindex");
+  if (lua_getfield(L, 1, "__tostring") != LUA_TNIL) {
+    lua_pushcclosure(L, error_plain_result, 1);
+    lua_setfield(L, 1, "__tostring");
+  }
   lua_settop(L, 1);
   luaL_getsubtable(L, LUA_REGISTRYINDEX, lua_classes);
   lua_getfield(L, 1, "__name");

@@ -349,7 +349,6 @@ static int body_tostring(lua_State *L) {
   luaL_buffinit(L, &text);
   pair_add_body(&text, &model, ARC_UPPER);
   luaL_pushresult(&text);
-  error_push_plain(L, lua_tostring(L, -1));
   return 1;
 }
 
@@ -357,6 +356,7 @@ static int body_tostring(lua_State *L) {
 static void set_body_class(lua_State *L) {
   if (luaL_newmetatable(L, "archard.body")) {
     call_push(L, body_tostring);
+    lua_pushcclosure(L, error_plain_result, 1);
     lua_setfield(L, -2, "__tostring");
     lua_pushboolean(L, 1);
     lua_setfield(L, -2, "__plain");
