@@ -193,7 +193,7 @@ arc_status arc_store_surfaces(arc_store *store, int id, arc_array **surfaces, si
 
 /* Copies the finished cases of the file `from` to `store`. Both must have the same cases with the
  * same settings. A case that is finished in both files is not changed. ARC_ARGUMENT: the files have
- * different results for a case, or belong to different studies. */
+ * different results for a case, or belong to different studies, or are the same file. */
 arc_status arc_store_merge(arc_store *store, const char *from, arc_error *error);
 
 #pragma GCC visibility pop

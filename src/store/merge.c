@@ -2,6 +2,7 @@
 #include "store/store.h"
 
 #include <stdlib.h>
+#include <sys/stat.h>
 
 /* Runs a query that must not return rows. If it returns a row, reports an error with the case in
  * this row and the text `what`. */
@@ -103,11 +104,21 @@ static arc_status merge_attached(arc_store *store, const char *from, arc_error *
   return arc_store_leave(store, 1, status, error);
 }
 
+/* Returns an error if `from` is the store's own file, or a link to it. SQLite would wait for the
+ * store's own lock. */
+static arc_status check_other(const arc_store *store, const char *from, arc_error *error) {
+  struct stat own, other;
+  if (stat(store->file, &own) != 0 || stat(from, &other) != 0) return ARC_OK;
+  if (own.st_dev != other.st_dev || own.st_ino != other.st_ino) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT, "%s: is the study itself, expected another file", from);
+}
+
 /* Attaches the other file. The file is first opened as a store, so that the message is clear if
  * it is not a run file. */
 static arc_status attach(arc_store *store, const char *from, arc_error *error) {
   arc_store *other = NULL;
-  arc_status status = arc_store_open(from, ARC_STORE_READ, &other, error);
+  arc_status status = check_other(store, from, error);
+  if (status == ARC_OK) status = arc_store_open(from, ARC_STORE_READ, &other, error);
   if (status == ARC_OK) status = arc_store_check(other, error);
   if (status == ARC_OK) status = arc_database_attach(store->db, other->db, error);
   arc_store_close(&other);

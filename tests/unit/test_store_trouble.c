@@ -335,6 +335,9 @@ static void test_merge(void **state) {
   assert_int_equal(arc_store_merge(store, in_folder("share 1 of others"), &error), ARC_ARGUMENT);
   assert_non_null(strstr(error.message, "case 1 is finished in both, with other results"));
   must(arc_store_merge(store, in_folder("share '2'"), &error), &error);
+  assert_int_equal(symlink(in_folder("joined"), in_folder("link")), 0);
+  assert_int_equal(arc_store_merge(store, in_folder("link"), &error), ARC_ARGUMENT);
+  assert_non_null(strstr(error.message, "link: is the study itself"));
   arc_case *cases;
   size_t count;
   must(arc_store_cases(store, &cases, &count, &error), &error);
