@@ -123,11 +123,13 @@ static void add_character(arc_text *text, const char *bytes, size_t length, long
 
 void arc_text_quoted(arc_text *text, const char *words, int ascii) {
   arc_text_word(text, "\"");
-  while (*words) {
+  for (const char *at = words; *at;) {
     size_t length;
-    long code = code_point((const unsigned char *)words, &length);
-    add_character(text, words, length, code, ascii);
-    words += length;
+    long code = code_point((const unsigned char *)at, &length);
+    /* XML does not allow "]]>" in texts, and gnuplot writes ">" to .svg files as it is */
+    if (code == '>' && at - words >= 2 && at[-1] == ']' && at[-2] == ']') arc_text_word(text, " ");
+    add_character(text, at, length, code, ascii);
+    at += length;
   }
   arc_text_word(text, "\"");
 }

@@ -19,6 +19,8 @@ do
   end)
   has(text, "`touch " .. ran .. "`", "a title is shown unchanged")
   ok(not text:find("\27"), "a text file contains no escape code")
+  plot { { x = { 1, 2 }, y = { 1, 2 }, title = "a]]>b" }, title = "]]>", xlabel = "x_1]]>", file = folder .. "/xml.svg" }
+  ok(not read "xml.svg":find("]]>", 1, true), "an .svg has no end of a CDATA section, which XML does not allow in texts")
   pcall(plot, { line, file = folder .. "/`touch ran`.png" })
   pcall(plot, { line, file = "|touch " .. ran .. ".png" })
   os.remove("|touch " .. ran .. ".png")
