@@ -51,7 +51,8 @@ local function own_text(value)
   if type(metatable) ~= "table" or rawget(metatable, "__tostring") == nil
     or rawget(metatable, "__plain") then return nil end
   local fine, text = pcall(tostring, value)
-  return fine and text or "(its __tostring failed: " .. tostring(text) .. ")"
+  if fine then return text end
+  return "(its __tostring failed" .. (type(text) == "string" and ": " .. text or "") .. ")"
 end
 
 -- Formats a number in a list with six digits, which keeps columns readable.

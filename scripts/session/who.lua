@@ -20,10 +20,10 @@ tell["function"] = function(f)
 end
 
 local function words(each)
-  local text = tostring(each.value)
-  if text:find("%(closed%)$") then return "closed" end
+  local fine, text = pcall(tostring, each.value)
+  if fine and text:find("%(closed%)$") then return "closed" end
   if tell[each.class] then return tell[each.class](each.value) end
-  if each.class ~= "string" then text = pretty.format(each.value, { width = 1000 }) end
+  if each.class ~= "string" or not fine then text = pretty.format(each.value, { width = 1000 }) end
   return (text:match("^[^\n]*"):gsub("^" .. each.class .. ":? ", ""))
 end
 

@@ -234,6 +234,9 @@ w:step()
 local list = printed(who)
 holds(list, { "length  number  0.5\n", "title   string  a title\n", "w       wear    cycle 20 of 6000, 1 update, not saved" }, "who() lists names, classes and states")
 ok(not list:find "print" and not list:find "session", "who() does not list globals of the program")
+broken = setmetatable({}, { __tostring = function() return {} end })
+holds(printed(who), "broken  table   (its __tostring failed", "who() with an object that cannot be printed")
+broken = nil
 rawset(_G, "od\27d", 1)
 title = "a\27[2J\194\155title"
 list = printed(who)
