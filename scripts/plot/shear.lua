@@ -105,6 +105,7 @@ function shear.slip(...)
   local names = naming.names_of(where, objects, options.titles)
   local given = { xlabel = "x / mm", ylabel = "slip / µm", title = "slip" }
   for i, contact in ipairs(objects) do
+    if type(contact) ~= "userdata" then check.fail(where, "expected contacts, got " .. check.shown(contact)) end
     given[i] = slip_within(contact)
     given[i].title = #objects > 1 and names[i] or nil
   end

@@ -152,6 +152,7 @@ holds(text, { "slip / µm", "45 N tangential", "60 N tangential" }, "plot.slip")
 fails(function() plot.shear(m) end, "expected a contact", "a model has no shear")
 fails(function() plot.shear(smooth) end, "expected a contact with friction", "no shear to draw without friction")
 fails(function() plot.slip(d, "plate") end, "expected contacts", "plot.slip with a body's name")
+fails(function() plot.slip({ stick = 1, slip = 5 }) end, "expected contacts, got a table", "plot.slip of a table")
 os.remove(name)
 
 -- Tests automatic meshes: they are finer with friction, but a zone set by the user has at most 320 elements.
