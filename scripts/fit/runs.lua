@@ -39,10 +39,10 @@ end
 -- --- runs in this process ------------------------------------------------------------------------
 
 local function fail_at(self, label, why)
-  if type(why) ~= "table" then error(why, 0) end
-  if why.code == "STOPPED" then error(why, 0) end
+  local message, code = check.reason(why)
+  if not message or code == "STOPPED" then error(why, 0) end
   check.fail(self.where, ("the run with %s failed: %s. Narrower bounds (low, high) can keep the search "
-    .. "away from these values"):format(label, why.message), why.code)
+    .. "away from these values"):format(label, message), code)
 end
 
 -- Computes one run and stores its results. Only the first run of a fit prints its warnings.

@@ -106,19 +106,26 @@ end
 -- For check.fields: fields of any name and value. Other functions check such a table.
 check.anything = setmetatable({}, { __index = function() return check.any "a field" end })
 
+-- Returns a kind of short lists, which check.fields copies.
+local function tuple(expected, test)
+  local made = kind(expected, test)
+  made.copied = true
+  return made
+end
+
 local function pair(names, low, high)
-  return kind(("{ %s }, two whole numbers in [%d, %d]"):format(names, low, high), function(v)
+  return tuple(("{ %s }, two whole numbers in [%d, %d]"):format(names, low, high), function(v)
     return type(v) == "table" and whole(v[1], low, high) and whole(v[2], low, high)
   end)
 end
 
 check.size = pair("width, height", 10, 20000)
 check.grid = pair("rows, columns", 1, 50)
-check.range = kind("{ low, high }, two different finite numbers, or one of them", function(v)
+check.range = tuple("{ low, high }, two different finite numbers, or one of them", function(v)
   if type(v) ~= "table" or (v[1] == nil and v[2] == nil) then return false end
   return (v[1] == nil or finite(v[1])) and (v[2] == nil or finite(v[2])) and v[1] ~= v[2]
 end)
-check.box = kind("{ x0, x1, y0, y1 }", function(v)
+check.box = tuple("{ x0, x1, y0, y1 }", function(v)
   return type(v) == "table" and finite(v[1]) and finite(v[2]) and finite(v[3]) and finite(v[4])
     and v[1] < v[2] and v[3] < v[4]
 end)
@@ -160,9 +167,16 @@ local function has_len(value)
   return type(metatable) == "table" and rawget(metatable, "__len") ~= nil
 end
 
--- Raises an error if the table `given` has an unknown field or a wrong value. Returns a copy for which each field was
--- read once, since a metamethod could return another value the next time. fields: the kinds of all fields by name;
--- prefix: path of the table in messages. List items are not checked.
+-- Returns a copy of a list. A metamethod of the list could return another value the next time.
+local function copied(value)
+  local copy = {}
+  for i, each in pairs(value) do copy[i] = each end
+  return copy
+end
+
+-- Raises an error if the table `given` has an unknown field or a wrong value. Returns a copy for which each field and
+-- each list was read once, since a metamethod could return another value the next time. fields: the kinds of all
+-- fields by name; prefix: path of the table in messages. List items are not checked.
 function check.fields(where, given, fields, prefix)
   prefix = prefix or ""
   if type(given) ~= "table" then
@@ -179,12 +193,24 @@ function check.fields(where, given, fields, prefix)
       elseif has_len(value) then
         check.fail(where, ("field '%s%s': expected %s, got a table with a __len metamethod"):format(prefix, name,
           expected_kind.expected))
-      elseif not expected_kind.test(value) then
-        refuse_kind(where, prefix .. name, expected_kind, value)
       end
+      if type(value) == "table" and (expected_kind.copied or expected_kind.item) then
+        value = copied(value)
+        copy[name] = value
+      end
+      if not expected_kind.test(value) then refuse_kind(where, prefix .. name, expected_kind, value) end
     end
   end
   return copy
+end
+
+-- Returns the message and the code of an error object of this program. Returns nil for other values, whose
+-- metamethods are not called.
+function check.reason(err)
+  local message = type(err) == "table" and rawget(err, "message")
+  if type(message) ~= "string" then return nil end
+  local code = rawget(err, "code")
+  return message, type(code) == "string" and code or nil
 end
 
 -- Calls f and returns its results. Errors of f are raised again as errors of `where`, the function that the
@@ -192,9 +218,9 @@ end
 function check.as(where, f, ...)
   local results = table.pack(pcall(f, ...))
   if results[1] then return table.unpack(results, 2, results.n) end
-  local err = results[2]
-  if type(err) ~= "table" or not err.message then error(err, 0) end
-  check.fail(where, err.message, err.code)
+  local message, code = check.reason(results[2])
+  if not message then error(results[2], 0) end
+  check.fail(where, message, code)
 end
 
 -- Checks and returns a table that has only named fields. or_else: description of other accepted values;

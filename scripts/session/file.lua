@@ -195,9 +195,9 @@ end
 local function as(where, name, f, ...)
   local results = table.pack(pcall(f, ...))
   if results[1] then return table.unpack(results, 2, results.n) end
-  local err = results[2]
-  if type(err) ~= "table" or not err.message then error(err, 0) end
-  check.fail(where, name and ("%s: %s"):format(name, cure(err.message, name)) or err.message, err.code)
+  local message, code = check.reason(results[2])
+  if not message then error(results[2], 0) end
+  check.fail(where, name and ("%s: %s"):format(name, cure(message, name)) or message, code)
 end
 
 local function write_one(file, id, each)

@@ -137,9 +137,10 @@ end
 local function take(store, job, path)
   local fine, why = pcall(store.merge, store, path)
   if fine or not text_file.exists(path) then return end
-  if type(why) ~= "table" then error(why, 0) end
-  check.fail(where, ("%s; remove the folder %s to continue without the results of its shares"):format(why.message,
-    job.folder), why.code)
+  local message, code = check.reason(why)
+  if not message then error(why, 0) end
+  check.fail(where, ("%s; remove the folder %s to continue without the results of its shares"):format(message,
+    job.folder), code)
 end
 
 -- Merges the shares of an ended job, and removes each file after it has been merged.

@@ -186,6 +186,23 @@ near(fine.mesh.height, 0.05, 1e-15, "the height of an element is 1.25 times its 
 is(model{ mesh = { size = 0.04, height = 0.03 } }.mesh.height, 0.03,
   "an element height given by the user is used")
 
+-- Tests tables that return other values when they are read again, and errors whose metamethods fail.
+do
+  local check = require "archard.lib.check"
+  local reads = 0
+  local changing = setmetatable({}, { __pairs = function()
+    reads = reads + 1
+    return next, { reads, reads > 1 and {} or 2 }
+  end })
+  local range = check.fields("here", { x = changing }, { x = check.range }).x
+  ok(range ~= changing and range[1] == 1 and range[2] == 2 and reads == 1, "a range is read once")
+  local list = { 1, 2 }
+  ok(check.fields("here", { x = list }, { x = check.list_of(check.number, "numbers") }).x ~= list, "a list is copied")
+  local thrown = setmetatable({}, { __index = 5, __name = 5 })
+  local fine, err = pcall(check.as, "here", error, thrown)
+  ok(not fine and rawequal(err, thrown), "an error of the user with other metamethods is passed on")
+end
+
 -- Values far from all materials and bodies: an error, or the exact volume.
 fails(function() wear{ model = { cylinder = { E = 1e-300 }, mesh = { size = 0.1, height = 0.1 } } } end, "larger than the bodies allow",
   "a modulus of 1e-300 MPa")
