@@ -167,7 +167,7 @@ local function has_len(value)
   return type(metatable) == "table" and rawget(metatable, "__len") ~= nil
 end
 
--- Returns a copy of a list. A metamethod of the list could return another value the next time.
+-- Returns a copy of a list without its metamethods, which could return another value the next time.
 local function copied(value)
   local copy = {}
   for i, each in pairs(value) do copy[i] = each end

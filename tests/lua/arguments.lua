@@ -190,12 +190,12 @@ is(model{ mesh = { size = 0.04, height = 0.03 } }.mesh.height, 0.03,
 do
   local check = require "archard.lib.check"
   local reads = 0
-  local changing = setmetatable({}, { __pairs = function()
+  local changing = setmetatable({ 1 }, { __index = function()
     reads = reads + 1
-    return next, { reads, reads > 1 and {} or 2 }
+    return reads > 1 and {} or 2
   end })
   local range = check.fields("here", { x = changing }, { x = check.range }).x
-  ok(range ~= changing and range[1] == 1 and range[2] == 2 and reads == 1, "a range is read once")
+  ok(range[1] == 1 and range[2] == nil and reads == 0, "a range is copied without metamethods")
   local list = { 1, 2 }
   ok(check.fields("here", { x = list }, { x = check.list_of(check.number, "numbers") }).x ~= list, "a list is copied")
   local thrown = setmetatable({}, { __index = 5, __name = 5 })
