@@ -135,9 +135,24 @@ local function without(columns, name)
   return kept
 end
 
--- Width reserved for the status column [characters]. Long messages in it may exceed the width of the
--- terminal.
-local widest_status = 20
+-- Returns the columns with a status column that has numbers in place of messages, and the list of these
+-- messages, which is complete when the table is made.
+local function with_notes(columns)
+  local notes, number = {}, {}
+  local function mark(message)
+    if not message then return "" end
+    if not number[message] then
+      notes[#notes + 1] = message
+      number[message] = #notes
+    end
+    return (" [%d]"):format(number[message])
+  end
+  columns = without(columns, "status")
+  columns[#columns + 1] = { "status", "", "%s", function(case)
+    return case.status .. mark(case.message) .. mark(case.warning and "warning: " .. case.warning)
+  end }
+  return columns, notes
+end
 
 local function text_of(study, columns)
   local head, units = {}, {}
@@ -150,19 +165,21 @@ local function text_of(study, columns)
   table.insert(rows, 1, head)
   local lines, widths = aligned(rows)
   local width = -2
-  widths[#widths] = math.min(widths[#widths], widest_status)
   for _, each in ipairs(widths) do width = width + each + 2 end
   return table.concat(lines, "\n"), width
 end
 
 function forms.text(study, columns)
   local limit = term.is_terminal("stdout") and term.size("stdout") or 120
+  local notes
+  columns, notes = with_notes(columns)
   local text, width = text_of(study, columns)
   for _, name in ipairs(spare) do
     if width <= limit then break end
     columns = without(columns, name)
     text, width = text_of(study, columns)
   end
+  for i, note in ipairs(notes) do text = ("%s\n[%d] %s"):format(text, i, note) end
   return text
 end
 

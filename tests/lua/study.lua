@@ -170,7 +170,7 @@ holds(table.concat(errors), { "case 2", "alpha 2" }, "the failed case is reporte
 local cases = bad:cases()
 is(cases[1].status .. cases[2].status .. cases[3].status, "donefaileddone", "other cases are done")
 is(cases[2].message:find "wear: field 'alpha'", 1, "the message is stored without a position in a script of archard")
-holds(bad:table(), { "done", "failed: wear: field 'alpha'" }, "the table shows the message")
+holds(bad:table(), { "done", "failed [1]", "\n[1] wear: field 'alpha'" }, "the table shows the message")
 is(study.open(path "bad"):cases()[2].status, "failed", "study.open shows the failed case")
 
 holds(bad:table{ format = "csv" }, '\n2,2,,,,,,,,,,,"failed: ', "empty cells in CSV")
@@ -192,7 +192,7 @@ ripples = study.open(path "ripples"):cases()
 is(ripples[1].warning, nil, "a case without warnings")
 holds(ripples[2].warning, "ripples will grow", "the run file contains the warning of a case")
 holds(tostring(ripples[2]), "ripples will grow", "print(case) shows the warning")
-holds(study.open(path "ripples"):table(), "done, warned: jump = 530 cycles is past",
+holds(study.open(path "ripples"):table(), { "done [1]", "[1] warning: jump = 530 cycles is past" },
   "the table shows the warning")
 holds(study.open(path "ripples"):table(), "half_w", "a table with warnings has all columns")
 
