@@ -12,6 +12,9 @@ cycle; with track = r a cycle is a revolution, d = cycles * 2 pi r. If the strok
 cylinder, the plate slides in one direction only, and a cycle has one stroke. Depths are in mm; tables and plots in um have this unit in
 their labels.
 
+Time, speed and frequency are no settings: t seconds at a frequency f [Hz] are f * t cycles, and t seconds at a speed v [mm/s]
+are the distance v * t.
+
 k = 1e-8 mm2/N means that both bodies together lose 1e-8 mm3 per N of load and mm of sliding. Other units of k:
 
   1e-5 mm3/(N m)     is 1e-8 mm2/N: divide by 1000
