@@ -135,7 +135,7 @@ local function without(columns, name)
   return kept
 end
 
--- Returns the columns with a status column that has numbers in place of messages, and the list of these
+-- Returns the columns with a status column that has numbers instead of messages, and the list of these
 -- messages, which is complete when the table is made.
 local function with_notes(columns)
   local notes, number = {}, {}
