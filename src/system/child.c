@@ -60,18 +60,22 @@ enum { HAS_SHADOW = 1 };
 enum { HAS_SHADOW = 0 };
 #endif
 
+/* Largest stack [bytes] and number of open files of a child whose memory is limited. The data do
+ * not contain the stack, nor the buffers of pipes in the kernel. */
+enum { CHILD_STACK = 8 << 20, CHILD_FILES = 256 };
+
 /* Limits the data of the child to `bytes` (0: no limit) and the data at its start, `own`. Its
  * mappings are not limited, because they contain libraries, whose size depends on the program.
  * Returns 0 or an errno. */
 static int use_own_memory(rlim_t bytes, rlim_t own) {
-  struct rlimit all, data;
+  struct rlimit all;
   if (bytes == 0 || HAS_SHADOW) return 0;
-  if (getrlimit(RLIMIT_AS, &all) != 0 || getrlimit(RLIMIT_DATA, &data) != 0) return errno;
+  if (getrlimit(RLIMIT_AS, &all) != 0) return errno;
   all.rlim_cur = all.rlim_max;
-  bytes += own;
-  if (data.rlim_max == RLIM_INFINITY || data.rlim_max > bytes) data.rlim_max = bytes;
-  data.rlim_cur = data.rlim_max;
-  return setrlimit(RLIMIT_AS, &all) == 0 && setrlimit(RLIMIT_DATA, &data) == 0 ? 0 : errno;
+  const int done =
+      setrlimit(RLIMIT_AS, &all) == 0 && arc_jail_limit(RLIMIT_DATA, (double)(bytes + own)) &&
+      arc_jail_limit(RLIMIT_STACK, CHILD_STACK) && arc_jail_limit(RLIMIT_NOFILE, CHILD_FILES);
+  return done ? 0 : errno;
 }
 
 static int confined; /* true if children must not start processes */

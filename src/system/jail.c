@@ -46,6 +46,7 @@ enum {
   REMOVE_FILE = 1 << 5,
   MAKE_DIR = 1 << 7,
   MAKE_REG = 1 << 8,
+  MAKE_BLOCK = 1 << 11,
   MAKE_SYM = 1 << 12,
   VERSION_1 = (1 << 13) - 1,
   REFER = 1 << 13,     /* since Landlock version 2 */
@@ -172,7 +173,19 @@ static int confine_files(const arc_jail *jail) {
   return done;
 }
 
+/* Enters a domain of Landlock of its own. A process cannot read the memory or use the files of a
+ * process outside its domain, such as its parent. The rule itself refuses only devices. */
+static void leave_domain(void) {
+  const ruleset own = {.files = MAKE_BLOCK};
+  const int set = (int)syscall(SYS_landlock_create_ruleset, &own, sizeof own.files, 0);
+  if (set < 0) return;
+  syscall(SYS_landlock_restrict_self, set, 0);
+  close(set);
+}
+
 #else
+
+static void leave_domain(void) {}
 
 static int confine_files(const arc_jail *jail) {
   (void)jail;
@@ -385,14 +398,16 @@ static int confine_calls(void) {
   return install(&f);
 }
 
-/* Prevents new processes, shared memory and changes of the rights of files. clone3 needs no rule
- * here, because the first filter already refuses it. */
+/* Prevents new processes, access to the parent, changes of the rights of files, and memory that
+ * limits do not count: shared memory without a file, and large buffers of the kernel. clone3 needs
+ * no rule here, because the first filter already refuses it. */
 int arc_jail_alone(void) {
-  static const unsigned rights[] = {SYS_fchmod};
+  static const unsigned others[] = {SYS_fchmod, SYS_socketpair};
   filter f = {.length = 0};
+  leave_domain();
   begin(&f);
-  refuse(&f, rights, 1, EPERM);
-  /* limits of memory do not count shared memory without a file */
+  refuse(&f, others, sizeof others / sizeof *others, EPERM);
+  refuse_where(&f, SYS_fcntl, 1, UINT32_MAX, F_SETPIPE_SZ, 1);
   refuse_where(&f, SYS_mmap, 3, MAP_SHARED | MAP_ANONYMOUS, MAP_SHARED | MAP_ANONYMOUS, 1);
   refuse_where(&f, SYS_mmap, 3, MAP_GROWSDOWN, MAP_GROWSDOWN, 1);
 #ifdef SYS_fork
@@ -433,9 +448,8 @@ static void drop_rights(void) {
 
 /* --- limits ----------------------------------------------------------------------------------- */
 
-/* Sets the soft and the hard limit of a resource, so that the process cannot raise the limit again.
- * Returns true on success. */
-static int limit(enum __rlimit_resource what, double most) {
+int arc_jail_limit(int resource, double most) {
+  const __rlimit_resource_t what = (__rlimit_resource_t)resource;
   struct rlimit l;
   if (getrlimit(what, &l) != 0) return 0;
   if (l.rlim_max == RLIM_INFINITY || (double)l.rlim_max > most) l.rlim_max = (rlim_t)most;
@@ -465,13 +479,13 @@ enum { MORE_THREADS = 512 };
 /* Limits the number of processes and threads. Returns false on failure, and for root, because the
  * system does not count root's processes. */
 static int confine_processes(void) {
-  return limit(RLIMIT_NPROC, threads_of_user() + MORE_THREADS) && getuid() != 0;
+  return arc_jail_limit(RLIMIT_NPROC, threads_of_user() + MORE_THREADS) && getuid() != 0;
 }
 
 int arc_jail_enter(const arc_jail *jail) {
   int missing = 0;
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_FSIZE, jail->largest_file);
+  arc_jail_limit(RLIMIT_CORE, 0);
+  arc_jail_limit(RLIMIT_FSIZE, jail->largest_file);
   if (!confine_processes()) missing |= ARC_JAIL_PROCESSES;
   drop_rights();
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return missing | ARC_JAIL_FILES | ARC_JAIL_CALLS;

@@ -21,9 +21,13 @@ enum {
  * that this system cannot guarantee. */
 int arc_jail_enter(const arc_jail *jail);
 
-/* Prevents the calling thread, and the program that it executes, from starting processes; it can
- * still start threads. Returns 1, or 0 if the system has no such filter. Writes only to the
- * stack. */
+/* Limits a resource (RLIMIT_...) of the process to `most`, also the hard limit, so that the process
+ * cannot raise it again. Returns true on success. Writes only to the stack. */
+int arc_jail_limit(int resource, double most);
+
+/* Prevents the calling thread, and the program that it executes, from starting processes and from
+ * access to its parent; it can still start threads. Returns 1, or 0 if the system has no such
+ * filter. Writes only to the stack. */
 int arc_jail_alone(void);
 
 #endif

@@ -45,9 +45,13 @@ static const char *beside(const char *leaf) {
   return name;
 }
 
-static const char *of_victim(const char *leaf) {
-  snprintf(name, sizeof name, "/proc/%d/%s", (int)victim, leaf);
+static const char *of_process(pid_t process, const char *leaf) {
+  snprintf(name, sizeof name, "/proc/%d/%s", (int)process, leaf);
   return name;
+}
+
+static const char *of_victim(const char *leaf) {
+  return of_process(victim, leaf);
 }
 
 /* --- files ------------------------------------------------------------------------------------ */
@@ -261,11 +265,14 @@ static void try_connections(void) {
   TRY("a pair of another family", socketpair(AF_TIPC, SOCK_STREAM, 0, ends) == 0);
   TRY("a pair of datagrams", socketpair(AF_UNIX, SOCK_DGRAM, 0, ends) == 0);
   TRY("a pair of packets", socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) == 0);
+  TRY("a pair of streams, whose buffers no limit counts",
+      socketpair(AF_UNIX, SOCK_STREAM, 0, ends) == 0);
   TRY("a ring of calls", syscall(425, 4, ring) >= 0);
 }
 
 static void try_system(void) {
   char word[16];
+  int ends[2];
   struct rlimit l = {RLIM_INFINITY, RLIM_INFINITY};
   TRY("a space of its own for users", unshare(CLONE_NEWUSER) == 0);
   TRY("one for mounts", unshare(CLONE_NEWNS) == 0);
@@ -296,6 +303,9 @@ static void try_system(void) {
   TRY("more processes again", setrlimit(RLIMIT_NPROC, &l) == 0);
   TRY("larger files again", setrlimit(RLIMIT_FSIZE, &l) == 0);
   TRY("more memory again", setrlimit(RLIMIT_DATA, &l) == 0);
+  TRY("a larger stack again", setrlimit(RLIMIT_STACK, &l) == 0);
+  TRY("more open files again", setrlimit(RLIMIT_NOFILE, &(struct rlimit){4096, 4096}) == 0);
+  TRY("a larger buffer of a pipe", pipe(ends) != 0 || fcntl(ends[0], F_SETPIPE_SZ, 1 << 20) > 0);
   char host[HOST_NAME_MAX + 1] = "";
   gethostname(host, sizeof host);
   TRY("the name of the machine", sethostname(host, strlen(host)) == 0);
@@ -311,6 +321,9 @@ static void try_others(void) {
   TRY("its environment", reads(of_victim("environ")));
   TRY("its memory", opens(of_victim("mem"), O_RDWR));
   TRY("its files", lists(of_victim("fd")));
+  TRY("the environment of the parent", reads(of_process(getppid(), "environ")));
+  TRY("memory of the parent", opens(of_process(getppid(), "mem"), O_RDONLY));
+  TRY("the output of the parent", opens(of_process(getppid(), "fd/1"), O_WRONLY));
   TRY("holding it", ptrace(PTRACE_ATTACH, victim, NULL, NULL) == 0);
   TRY("seizing it", ptrace(PTRACE_SEIZE, victim, NULL, NULL) == 0);
   TRY("reading it", process_vm_readv(victim, &to, 1, &from, 1, 0) >= 0);
