@@ -56,6 +56,20 @@ local function noted(folder)
   return describe(folder, word, shares, name ~= "-" and name or nil)
 end
 
+-- Raises an error if the folder of a job is a link, or contains a link or a pipe: through a link, a program would
+-- change a file elsewhere.
+local function check_folder(folder)
+  local function refuse(path, expected, kind)
+    check.fail(where, ("%s: expected a %s, got a %s; remove it"):format(path, expected, kind))
+  end
+  local kind = process.kind(folder)
+  if kind and kind ~= "folder" then refuse(folder, "folder of this study", kind) end
+  for _, name in ipairs(process.files(folder) or {}) do
+    kind = process.kind(folder .. "/" .. name)
+    if kind and kind ~= "file" and kind ~= "folder" then refuse(folder .. "/" .. name, "file", kind) end
+  end
+end
+
 -- Removes a run file, and its journal and lock file, which remain if a program is killed.
 local function remove_store(path)
   for _, ending in ipairs{ "", "-journal", ".lock" } do os.remove(path .. ending) end
@@ -267,11 +281,21 @@ local function finish(self, store, asked)
   end
 end
 
+-- Raises an error if the program of an engine is missing. advice: end of the message, or nil.
+local function check_engine(name, advice)
+  local program = engines[name].program
+  if not shell.has(program) then
+    check.fail(where, ("field 'engine': \"%s\" needs the program %s, which is not in PATH%s"):format(
+      name, program, advice or ""), "MISSING")
+  end
+end
+
 -- Waits for the job of an earlier submit, if any, and merges its results. Returns false if the job is still
 -- running and options.wait is false.
 local function earlier(self, folder, whole, options)
   local job = noted(folder)
   if not job then return true end
+  if job.name then check_engine(job.engine, "; without the job of an earlier submit, remove the folder " .. folder) end
   if job.name and engines[job.engine].state(job) ~= nil then
     io.stderr:write(("study: job %s is still running\n"):format(job.name))
     if options.wait == false then return false end
@@ -281,14 +305,6 @@ local function earlier(self, folder, whole, options)
   join(store, job)
   clear(job)
   return true
-end
-
-local function check_engine(options)
-  local program = engines[options.engine].program
-  if not shell.has(program) then
-    check.fail(where, ("field 'engine': \"%s\" needs the program %s, which is not in PATH"):format(
-      options.engine, program), "MISSING")
-  end
 end
 
 local function rounds(self, options, folder, whole)
@@ -310,8 +326,8 @@ function submit.run(self, options)
   options.shares = options.shares or process.processors()
   local whole = absolute(self.file)
   local folder = whole .. ".shares"
-  if options.engine ~= "local" then check_engine(options) end
-  if process.is_link(folder) then check.fail(where, folder .. ": expected a folder of this study, got a symbolic link; remove it") end
+  if options.engine ~= "local" then check_engine(options.engine) end
+  check_folder(folder)
   definitions.for_run(where, self, whole):close() -- the run file now exists and belongs to this study
   if not earlier(self, folder, whole, options) then return self end
   if options.engine == "local" then

@@ -444,10 +444,15 @@ static int process_files(lua_State *L) {
   return failed ? lua_error(L) : 1;
 }
 
-/* process.is_link(path) returns true if the path is a symbolic link. */
-static int process_is_link(lua_State *L) {
+/* process.kind(path) returns "file", "folder", "symbolic link" or "device" (also for pipes and
+ * sockets), without following a link; nil if there is no such file. */
+static int process_kind(lua_State *L) {
   struct stat facts;
-  lua_pushboolean(L, lstat(luaL_checkstring(L, 1), &facts) == 0 && S_ISLNK(facts.st_mode));
+  if (lstat(luaL_checkstring(L, 1), &facts) != 0) return 0;
+  lua_pushstring(L, S_ISREG(facts.st_mode)   ? "file"
+                    : S_ISDIR(facts.st_mode) ? "folder"
+                    : S_ISLNK(facts.st_mode) ? "symbolic link"
+                                             : "device");
   return 1;
 }
 
@@ -457,7 +462,7 @@ int luaopen_archard_process(lua_State *L) {
                                        {"make_folder", process_make_folder},
                                        {"program", process_program},
                                        {"files", process_files},
-                                       {"is_link", process_is_link},
+                                       {"kind", process_kind},
                                        {"pause", process_pause},
                                        {"report", process_report},
                                        {NULL, NULL}};
