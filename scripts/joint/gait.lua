@@ -36,7 +36,7 @@ function module.read(path, options)
   local table_of = require("archard.lib.csv").read(path)
   for _, name in ipairs(keys(table_of)) do
     if not columns[name] then
-      warn(("%s: %s: the column '%s' is not used (known: %s)"):format(where, path, name, table.concat(keys(columns), ", ")))
+      warn(("%s: %s: the column %s is not used (known: %s)"):format(where, path, check.shown(name), table.concat(keys(columns), ", ")))
     end
   end
   local given = { increments = options.increments, order = options.order, period = options.period, t = rawget(table_of, "t") }

@@ -48,7 +48,7 @@ do
 end
 warnings.keep()
 near(gait.read(path).track, list.track, 1e-9, "a gait file with units in its header")
-ok(warnings.take():find "column 'torque' is not used", "unused columns of a gait file are reported")
+ok(warnings.take():find 'column "torque" is not used', "unused columns of a gait file are reported")
 gait{ flexion = 0 }
 ok(warnings.take():find "the head does not move", "a gait without motion gives a warning")
 os.remove(path)
