@@ -4,8 +4,10 @@
 #include "lua/base/confine.h"
 
 #include <limits.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <sys/statvfs.h>
 
 /* Folders in which reading and writing are allowed, as absolute paths without symbolic links. An
@@ -51,6 +53,18 @@ static int is_below(const char *path, const char *folder) {
   return path[length] == '/' || path[length] == '\0' || folder[length - 1] == '/';
 }
 
+/* Returns true if a file, which may not exist yet, is on the disk of the working folder. The limit
+ * of disk use is for this disk. */
+static int is_on_our_disk(const char *path) {
+  char place[PATH_MAX];
+  struct stat here, there;
+  snprintf(place, sizeof place, "%s", path);
+  for (char *slash; stat(place, &there) != 0 && (slash = strrchr(place, '/')) && slash > place;)
+    *slash = '\0';
+  return stat(confined.write, &here) == 0 && stat(place, &there) == 0 &&
+         here.st_dev == there.st_dev;
+}
+
 arc_status arc_file_allowed(const char *name, const char *path, arc_file_use use,
                             arc_error *error) {
   if (!confined.read[0]) return ARC_OK;
@@ -58,6 +72,10 @@ arc_status arc_file_allowed(const char *name, const char *path, arc_file_use use
   if (inside && use == ARC_FILE_WRITE && confine_free() < confined.least)
     return arc_fail(error, ARC_IO,
                     "cannot write '%.200s': no free space remains on the disk for the sandbox",
+                    name);
+  if (inside && use == ARC_FILE_WRITE && !is_on_our_disk(path))
+    return arc_fail(error, ARC_IO,
+                    "cannot write '%.200s': it is not on the disk of the working folder (sandbox)",
                     name);
   if (inside) return ARC_OK;
   if (use == ARC_FILE_WRITE)
