@@ -1,11 +1,13 @@
 /* Runs chunks in protected calls and prints their error messages and tracebacks. */
 #include "cli/chunk.h"
 
+#include "archard/base.h"
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
 
 #include <lauxlib.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Replaces an error value of any type by a text. */
@@ -52,6 +54,15 @@ static size_t without_foot(const char *text) {
   return without(text, length, "\n\t(...tail calls...)");
 }
 
+void print_plain(const char *text, size_t length) {
+  const size_t capacity = 4 * length + 1;
+  char *part = strndup(text, length), *shown = part ? malloc(capacity) : NULL;
+  if (shown) arc_show_text(part, shown, capacity);
+  fputs(shown ? shown : "not enough memory for a message", stderr);
+  free(shown);
+  free(part);
+}
+
 run_status run_refused(lua_State *L) {
   const int stopped = interrupt_pending(NULL) && !interrupt_exceeded();
   run_status status = stopped ? RUN_INTERRUPTED : RUN_FAILED;
@@ -62,7 +73,9 @@ run_status run_refused(lua_State *L) {
   const char *text = lua_tostring(L, -1);
   if (text == NULL) text = "(error without a message)";
   fflush(stdout);
-  fprintf(stderr, "archard: %.*s\n", (int)without_foot(text), text);
+  fputs("archard: ", stderr);
+  print_plain(text, without_foot(text));
+  fputc('\n', stderr);
   lua_pop(L, 1);
   return status;
 }

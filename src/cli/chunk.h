@@ -15,4 +15,8 @@ run_status run_call(lua_State *L, int arguments, int results);
  * for chunks that could not be loaded. */
 run_status run_refused(lua_State *L);
 
+/* Prints the first `length` bytes of a text on standard error, without control characters, which
+ * names in files may contain. */
+void print_plain(const char *text, size_t length);
+
 #endif

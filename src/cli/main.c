@@ -188,16 +188,6 @@ static run_status run_command(lua_State *L, const command *self) {
   return status;
 }
 
-/* Prints a text without control characters, which names in files may contain. */
-static void print_plain(const char *text) {
-  const size_t capacity = 4 * strlen(text) + 1;
-  char *shown = malloc(capacity);
-  if (!shown) return;
-  arc_show_text(text, shown, capacity);
-  fputs(shown, stderr);
-  free(shown);
-}
-
 /* Prints warnings of Lua's warn() and of this program on standard error. Messages that begin
  * with "@" are control messages of Lua and are not printed. */
 static void print_warning(void *ignored, const char *message, int to_be_continued) {
@@ -210,7 +200,7 @@ static void print_warning(void *ignored, const char *message, int to_be_continue
   }
   if (!silent) {
     if (!continued) fputs("archard: warning: ", stderr);
-    print_plain(message);
+    print_plain(message, strlen(message));
     if (!to_be_continued) fputs("\n", stderr);
   }
   continued = to_be_continued;
