@@ -35,49 +35,54 @@ static int distance_of(const char *a, const char *b) {
   return cost[la][lb];
 }
 
-/* Returns the valid name that corresponds to a symbol or term of textbooks and other programs, or
- * "" if there is none. */
-static const char *meaning_of(const char *name) {
-  static const char *const pairs[][2] = {
-      {"mu", "friction"},
-      {"R", "radius"},
-      {"r", "radius"},
-      {"diameter", "radius"},
-      {"P", "load"},
-      {"F", "load"},
-      {"L", "load"},
-      {"force", "load"},
-      {"N", "cycles"},
-      {"Q", "tangential"},
-      {"v", "nu"},
-      {"poisson", "nu"},
-      {"young", "E"},
-      {"e", "E"},
-      {"s", "stroke"},
-      {"amplitude", "stroke"},
-      {"d", "distance"},
-      {"looks", "snapshots"},
-      {"cores", "workers"},
-      {"threads", "workers"},
-      {"color", "colour"},
-      {"speed", "distance"},
-      {"velocity", "distance"},
-      {"time", "cycles"},
-      {"frequency", "cycles"},
-  };
-  if (strncmp(name, "k_", 2) == 0) return "k_cylinder";
-  for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
-    if (strcmp(name, pairs[i][0]) == 0) return pairs[i][1];
-  return "";
+/* Symbols and terms of textbooks and other programs: the term, a valid name that it corresponds to,
+ * and their relation. */
+static const char *const meanings[][3] = {
+    {"mu", "friction", ""},
+    {"R", "radius", ""},
+    {"r", "radius", ""},
+    {"diameter", "radius", ", half of the diameter"},
+    {"P", "load", ""},
+    {"F", "load", ""},
+    {"L", "load", ""},
+    {"force", "load", ""},
+    {"N", "cycles", ""},
+    {"Q", "tangential", ""},
+    {"v", "nu", ""},
+    {"poisson", "nu", ""},
+    {"young", "E", ""},
+    {"e", "E", ""},
+    {"s", "stroke", ""},
+    {"amplitude", "stroke", ", twice the amplitude"},
+    {"d", "distance", ""},
+    {"looks", "snapshots", ""},
+    {"cores", "workers", ""},
+    {"threads", "workers", ""},
+    {"color", "colour", ""},
+    {"speed", "distance", ", speed times time"},
+    {"velocity", "distance", ", speed times time"},
+    {"time", "cycles", ", frequency times time"},
+    {"frequency", "cycles", ", frequency times time"},
+    {"xlim", "xrange", ""},
+    {"ylim", "yrange", ""},
+    {"filename", "file", ""},
+    {"coating", "layers", ""},
+    {"coating", "model", ", whose bodies have layers"},
+    {"layers", "model", ", whose bodies have layers"},
+};
+
+/* Returns the relation of a term to the valid name `known`; NULL if the term has another meaning.
+ */
+static const char *relation_of(const char *term, const char *known) {
+  for (size_t i = 0; i < sizeof meanings / sizeof *meanings; i++)
+    if (strcmp(term, meanings[i][0]) == 0 && strcmp(known, meanings[i][1]) == 0)
+      return meanings[i][2];
+  return strncmp(term, "k_", 2) == 0 && strcmp(known, "k_cylinder") == 0 ? "" : NULL;
 }
 
 const char *names_relation(const names_search *search) {
-  static const char *const list[][3] = {{"diameter", "radius", ", half of the diameter"},
-                                        {"amplitude", "stroke", ", twice the amplitude"}};
-  for (size_t i = 0; i < sizeof list / sizeof *list; i++)
-    if (strcmp(search->name, list[i][0]) == 0 && strcmp(search->best, list[i][1]) == 0)
-      return list[i][2];
-  return "";
+  const char *relation = relation_of(search->name, search->best);
+  return relation ? relation : "";
 }
 
 names_search names_begin(const char *name) {
@@ -86,7 +91,7 @@ names_search names_begin(const char *name) {
 }
 
 void names_offer(names_search *search, const char *known) {
-  if (strcmp(known, meaning_of(search->name)) == 0 || strcasecmp(known, search->name) == 0) {
+  if (relation_of(search->name, known) || strcasecmp(known, search->name) == 0) {
     search->best = known;
     search->limit = -1;
   }
