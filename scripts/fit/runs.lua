@@ -55,7 +55,7 @@ local function compute_here(self, label, values)
   self.count = self.count + 1
   self.known[label] = readings
   if self.counter then self.counter:ran() end
-  if type(self.progress) == "function" then self.progress(self.count, label) end
+  if type(self.progress) == "function" then check.call(self.progress, self.count, label) end
 end
 
 -- --- runs by workers, stored in a run file -------------------------------------------------------

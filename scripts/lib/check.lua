@@ -223,6 +223,15 @@ function check.as(where, f, ...)
   check.fail(where, message, code)
 end
 
+-- Calls a function of the user and returns its results. An error that Lua reports at the position of the call, such as
+-- that of an ended coroutine, is raised without this position.
+function check.call(f, ...)
+  local results = table.pack(pcall(f, ...))
+  if results[1] then return table.unpack(results, 2, results.n) end
+  local why = results[2]
+  error(type(why) == "string" and (why:gsub("^scripts/[^:]*:%d+: ", "")) or why, 0)
+end
+
 -- Checks and returns a table that has only named fields. or_else: description of other accepted values;
 -- name: name of the field that contains the table.
 function check.definition(where, given, fields, or_else, name)
@@ -230,7 +239,7 @@ function check.definition(where, given, fields, or_else, name)
     check.fail(where, ("expected %sa table of named fields, got %s"):format(or_else or "",
       check.shown(given)))
   end
-  if given[1] ~= nil then
+  if rawget(given, 1) ~= nil then
     check.fail(where, "expected fields by name (field = value), got a value without a name" .. (name and " in " .. name or ""))
   end
   return check.fields(where, given, fields)

@@ -2,6 +2,7 @@
 -- redrawn at the same position. Elsewhere it shows nothing or, in mode "lines", one line for each finished
 -- case.
 
+local check = require "archard.lib.check"
 local one_run = require "archard.lib.progress"
 local term = require "archard.term"
 
@@ -37,7 +38,7 @@ function progress:finish(i, case, failure)
       failure and "  failed" or "")) -- the reason for a failure is printed after the run
     io.flush()
   elseif type(self.mode) == "function" then
-    self.mode{ case = case, failure = failure, done = self.done, total = self.total }
+    check.call(self.mode, { case = case, failure = failure, done = self.done, total = self.total })
   end
 end
 

@@ -115,7 +115,7 @@ local function display(total, mode)
       if bar then return bar:update(done, note) end
       if not mode or done == last then return end
       last = done
-      if mode ~= "lines" then return mode{ done = done, total = total } end
+      if mode ~= "lines" then return check.call(mode, { done = done, total = total }) end
       print(("%d/%d  %s"):format(done, total, note))
       io.flush()
     end,

@@ -201,6 +201,12 @@ do
   local thrown = setmetatable({}, { __index = 5, __name = 5 })
   local fine, err = pcall(check.as, "here", error, thrown)
   ok(not fine and rawequal(err, thrown), "an error of the user with other metamethods is passed on")
+  fine, err = pcall(check.call, coroutine.wrap(function() return 1 end))
+  ok(fine and err == 1, "a function of the user is called")
+  local ended = coroutine.wrap(function() end)
+  ended()
+  fails(function() check.call(ended) end, "cannot resume dead coroutine", "an ended coroutine of the user")
+  ok(not tostring(select(2, pcall(check.call, ended))):find("scripts/", 1, true), "no position in a script of archard")
 end
 
 -- Values far from all materials and bodies: an error, or the exact volume.
