@@ -147,7 +147,12 @@ end
 
 -- Draws a map with one square of equal size for each case. The values of the settings are tick labels,
 -- because values such as strokes of 0.11 mm and 20 mm do not fit one scale.
-local function as_map(points, options, _, factor)
+local function as_map(points, options, label, factor)
+  local most = 0
+  for _, point in ipairs(points) do most = math.max(most, math.abs(point.y * factor)) end
+  local power = most > 0 and (most < 0.01 or most >= 1e5) and math.floor(math.log(most, 10)) or 0
+  factor = factor / 10 ^ power
+  if power ~= 0 then label = label:gsub(" / ", (" / 1e%d "):format(power), 1) end
   local xs, ys = values_of(points, "x"), values_of(points, "by")
   local across, up = position_in(xs, false), position_in(ys, false)
   local field, n = { x = {}, y = {}, value = {} }, 0
@@ -161,7 +166,7 @@ local function as_map(points, options, _, factor)
   end
   return { field, xlabel = naming.axis_of(options.x), ylabel = naming.axis_of(options.by),
     xplaces = places_for(xs, false), yplaces = places_for(ys, false),
-    xrange = { 0.5, #xs + 0.5 }, yrange = { 0.5, #ys + 0.5 } }
+    vlabel = label, xrange = { 0.5, #xs + 0.5 }, yrange = { 0.5, #ys + 0.5 } }
 end
 
 -- --- the picture ---------------------------------------------------------------------------------
@@ -197,7 +202,7 @@ return function(study, options)
   refuse_hidden(study, points)
   local name, label, factor, body = labels_of(options.y)
   local given = (options.map and as_map or as_curves)(points, options, label, factor)
-  given.title = name .. (body or "") .. (options.map and label:sub(#name + 1) or "")
+  given.title = name .. (body or "")
   local remaining = {}
   for name, value in pairs(options) do
     if not own[name] then remaining[name] = value end

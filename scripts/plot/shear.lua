@@ -18,12 +18,12 @@ local function bounds_of(pressure, friction)
 end
 
 -- Adds a filled rectangle from `bottom` to `top` for each stick zone, drawn only on `surface` ("pixels" or
--- "characters"). The first rectangle has the title.
+-- "characters"). The first rectangle has the title. It is light, because curves cross it.
 local function add_zones(given, contact, bottom, top, surface)
   for i, zone in ipairs(contact.stick) do
     given[#given + 1] = { x = { zone.left, zone.right, zone.right, zone.left, zone.left },
       y = { bottom, bottom, top, top, bottom }, style = "filled", series = 3, on = surface,
-      title = i == 1 and "sticks" or nil }
+      colour = surface == "pixels" and "grey" or nil, title = i == 1 and "sticks" or nil }
   end
 end
 

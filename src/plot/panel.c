@@ -165,11 +165,22 @@ static double half_number(const arc_writer *w, const arc_plot_panel *panel, doub
   return 0.55 * (double)last + 0.8;
 }
 
+/* Returns the width of a colour scale with its numbers and its label [columns]. gnuplot's default
+ * margin has no space for the label beside long numbers. */
+static double scale_width(const arc_plot_panel *panel, const double range[2]) {
+  static const double bar = 6.5, label = 3;
+  const arc_ticks ticks = arc_ticks_up(&panel->value, range[0], range[1], 10);
+  return bar + (double)ticks.longest + (panel->value.label ? label : 0);
+}
+
 double arc_panel_right(const arc_writer *w, const arc_plot_panel *panel, double columns) {
   double range[2];
-  /* gnuplot's default margin has enough space for a colour scale */
-  int has_scale = panel->field || arc_look_scale(w, panel, range);
-  if (w->canvas->text || has_scale || panel->key == ARC_PLOT_KEY_RIGHT) return 0;
+  if (w->canvas->text || panel->key == ARC_PLOT_KEY_RIGHT) return 0;
+  if (panel->field) {
+    const arc_plot_box box = arc_plot_extent(panel);
+    arc_field_range(panel, &box, range);
+  }
+  if (panel->field || arc_look_scale(w, panel, range)) return scale_width(panel, range);
   return fmax(arc_labels_width(panel), half_number(w, panel, columns));
 }
 

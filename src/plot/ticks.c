@@ -128,12 +128,24 @@ arc_ticks arc_ticks_up(const arc_plot_axis *axis, double from, double to, double
   return with_step(low, high, round_step(high - low, most));
 }
 
+/* Returns true if labels fit on an axis that is `columns` characters long, with a distance of
+ * `gap` characters. */
+static int fits(const arc_ticks *ticks, double span, double columns, double gap) {
+  return ((double)ticks->longest + gap) * span <= columns * ticks->step;
+}
+
+/* The step is the smallest for which the labels fit. If only one label would remain, the step is
+ * the largest number with one digit that gives more labels, because one label is no scale. */
 arc_ticks arc_ticks_across(const arc_plot_axis *axis, double from, double to, double most,
                            double columns) {
   double low = fmin(from, to), high = fmax(from, to), span = high - low;
   if (axis->log || is_free(span)) return free_ticks(axis, low, high, most);
   arc_ticks ticks = with_step(low, high, round_step(span, most));
-  while (((double)ticks.longest + 2) * span > columns * ticks.step && ticks.step < span / 2)
+  while (!fits(&ticks, span, columns, 2) && ticks.step < span / 2)
     ticks = with_step(low, high, round_step(3 * ticks.step, 2));
-  return ticks;
+  if (floor(high / ticks.step) > ceil(low / ticks.step)) return ticks;
+  const double part = low < 0 && high > 0 ? fmax(high, -low) : span / 2;
+  const double power = pow(10, floor(log10(part)));
+  const arc_ticks few = with_step(low, high, power * fmax(1, floor(part / power + 1e-9)));
+  return fits(&few, span, columns, 0.5) ? few : ticks;
 }

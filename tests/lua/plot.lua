@@ -78,6 +78,10 @@ do
   plot { panels = { narrow, narrow }, layout = { 1, 2 }, file = folder .. "/x.gp" }
   local step = (read("x.gp") or ""):match("set xtics ([%d.e-]+)")
   ok(tonumber(step) and tonumber(step) > 0.02, "the distance of the numbers on the x axis is large enough")
+  narrow.xrange = { -0.47, 0.47 }
+  plot { panels = { narrow, narrow }, layout = { 1, 2 }, size = { 340, 200 }, file = folder .. "/x.gp" }
+  step = (read("x.gp") or ""):match("set xtics ([%d.e-]+)")
+  ok(tonumber(step) and tonumber(step) <= 0.47, "a narrow axis has more than one number")
 end
 
 -- --- figures with many curves, panel letters ----------------------------------------------------

@@ -64,6 +64,8 @@ do
   end)
   has(script, 'set xtics ("0.25" 1, "0.75" 2)', "a response map has the values at its axes")
   has(script, "with image", "a response map in colours")
+  has(script, 'set cblabel "wear depth / ', "a response map has a label at its colour scale")
+  ok(tonumber(script:match "set rmargin ([%d.]+)") > 9, "the margin contains the scale and its label")
   refused(function() plot.response(sweep(), { x = "alpha", y = "depth_plate", where = { alfa = 0.5 } }) end,
     "field 'where': no case has a setting 'alfa' (did you mean 'alpha'?)", "a misspelt setting in where")
   refused(function() plot.response(sweep(), { x = "alpha", y = "depth_plate", where = { stroke = 7 } }) end,
