@@ -42,7 +42,7 @@ local function sweep(extra)
     for _, alpha in ipairs { 0.75, 0.25 } do
       local id = #list + 1
       study_.flat[id] = { alpha = alpha, stroke = stroke, k = extra and id }
-      list[id] = { id = id, status = "done", last = { depth_plate = stroke * alpha } }
+      list[id] = { id = id, status = "done", last = { depth_plate = stroke * alpha, depth_partition = 2e-3 * stroke } }
     end
   end
   list[#list + 1] = { id = 5, status = "failed" }
@@ -65,6 +65,9 @@ do
   has(script, 'set xtics ("0.25" 1, "0.75" 2)', "a response map has the values at its axes")
   has(script, "with image", "a response map in colours")
   has(script, 'set cblabel "wear depth / ', "a response map has a label at its colour scale")
+  has(script_of(function(file)
+    plot.response(sweep(), { x = "alpha", y = "depth_partition", by = "stroke", map = true, file = file })
+  end), " / 1\195\15110^{-3}\" enhanced", "small values of a response map have a power of ten in the label")
   ok(tonumber(script:match "set rmargin ([%d.]+)") > 9, "the margin contains the scale and its label")
   refused(function() plot.response(sweep(), { x = "alpha", y = "depth_plate", where = { alfa = 0.5 } }) end,
     "field 'where': no case has a setting 'alfa' (did you mean 'alpha'?)", "a misspelt setting in where")
