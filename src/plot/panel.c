@@ -421,14 +421,18 @@ static void settings(arc_writer *w, const arc_plot_panel *panel, const arc_plot_
 
 static void margins(arc_writer *w, const arc_plot_panel *panel, const arc_plot_frame *frame,
                     int framed) {
-  if (framed)
+  if (framed) {
     frame_words(w, frame);
-  else if (w->canvas->text)
+    return;
+  }
+  if (w->canvas->text) {
     arc_text_format(w->out, "set tmargin %d\n",
                     1 + arc_title_lines(panel->title, arc_panel_columns(w)) +
                         (panel->y.label != NULL));
-  else if (arc_panel_right(w, panel, frame->columns) > 0)
-    arc_text_format(w->out, "set rmargin %g\n", arc_panel_right(w, panel, frame->columns));
+    return;
+  }
+  const double right = arc_panel_right(w, panel, frame->columns);
+  if (right > 0) arc_text_format(w->out, "set rmargin %g\n", right);
 }
 
 void arc_panel_write(arc_writer *w, size_t number, const arc_plot_frame *frame, int framed) {
