@@ -65,19 +65,24 @@ static int is_on_our_disk(const char *path) {
          here.st_dev == there.st_dev;
 }
 
-arc_status arc_file_allowed(const char *name, const char *path, arc_file_use use,
-                            arc_error *error) {
-  if (!confined.read[0]) return ARC_OK;
-  const int inside = is_below(path, confined.write);
-  if (inside && use == ARC_FILE_WRITE && confine_free() < confined.least)
+/* Checks the limit of disk use before a file below the working folder is written. */
+static arc_status check_disk(const char *name, const char *path, arc_error *error) {
+  if (confine_free() < confined.least)
     return arc_fail(error, ARC_IO,
                     "cannot write '%.200s': no free space remains on the disk for the sandbox",
                     name);
-  if (inside && use == ARC_FILE_WRITE && !is_on_our_disk(path))
+  if (!is_on_our_disk(path))
     return arc_fail(error, ARC_IO,
                     "cannot write '%.200s': it is not on the disk of the working folder (sandbox)",
                     name);
-  if (inside) return ARC_OK;
+  return ARC_OK;
+}
+
+arc_status arc_file_allowed(const char *name, const char *path, arc_file_use use,
+                            arc_error *error) {
+  if (!confined.read[0]) return ARC_OK;
+  if (is_below(path, confined.write))
+    return use == ARC_FILE_WRITE ? check_disk(name, path, error) : ARC_OK;
   if (use == ARC_FILE_WRITE)
     return arc_fail(error, ARC_IO,
                     "cannot write '%.200s': it is not below the working folder (sandbox)", name);
