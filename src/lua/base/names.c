@@ -71,8 +71,7 @@ static const char *const meanings[][3] = {
     {"layers", "model", ", whose bodies have layers"},
 };
 
-/* Returns the relation of a term to the valid name `known`; NULL if the term has another meaning.
- */
+/* Returns the relation of a term to the valid name `known`; NULL if it has another meaning. */
 static const char *relation_of(const char *term, const char *known) {
   for (size_t i = 0; i < sizeof meanings / sizeof *meanings; i++)
     if (strcmp(term, meanings[i][0]) == 0 && strcmp(known, meanings[i][1]) == 0)
