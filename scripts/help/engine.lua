@@ -73,7 +73,9 @@ return {
       .. "or, if a height is given, a layer on a rigid base. Fields: width, height" .. of_all },
   { "body.punch", kind = "function", use = "body.punch{ flat=1, radius=2, height=10 }", result = "table",
     text = "A block with a flat contact face of the full width `flat` [mm], between edges that are rounded by "
-      .. "`radius` [mm]. Fields: flat, radius, height" .. of_all },
+      .. "`radius` [mm]. The contact may grow over 0.8 of each radius; a run ends there, at a depth of at most 0.4 "
+      .. "radius. Flat pins of a constant section, worn to a larger depth, cannot be modelled. Fields: flat, radius, "
+      .. "height" .. of_all },
   { "body.profile", kind = "function", use = "body.profile{ y=function(x) return 1e-4*math.cos(60*x) end }",
     result = "table",
     text = "A block whose surface has a profile: heights in mm, positive out of the body, as a function "

@@ -120,6 +120,19 @@ ok(tostring(why):find("too small for this contact: the zones can be at most 11.6
   true),
   "the message for a contact wider than the bodies")
 
+-- Tests the errors of contacts that reach the end of a zone: they name the body, the width and its limit.
+_, why = pcall(contact, { model = { mesh = { size = 0.02, height = 0.025, zone = { cylinder = 0.1, plate = 0.2 } } }, load = 100 })
+ok(tostring(why):find("end of the contact zone of the cylinder; use mesh.zone.cylinder > 0.1 mm (at most 16 mm)", 1, true),
+  "a zone that can be wider")
+local worn_edge = wear{ model = { upper = body.punch{ flat = 2, radius = 0.5 }, mesh = { size = 0.1 } }, alpha = 1, k = 1e-6,
+  stroke = 0.5, scheme = "implicit", distance = 1e5 }
+_, why = pcall(worn_edge.run, worn_edge)
+why = tostring(why)
+local message = "end of the contact zone of the punch, whose width of 2.8 mm is the largest (flat + 1.6 radius)"
+ok(why:find(message, 1, true) and not why:find("use mesh", 1, true) and select(2, why:gsub("contact zone", "")) == 1,
+  "a punch worn to the end of its edge: the message gives the limit once, and no larger zone")
+ok(worn_edge.depth.punch < 0.4 * 0.5, "its depth is less than 0.4 of the radius of the edge")
+
 -- Tests a model whose mesh was sized for another load.
 warnings.take()
 contact{ model = model{}, load = 0.1 }

@@ -2,6 +2,7 @@
 #include "core/contact/contact_problem.h"
 #include "core/base/carve.h"
 #include "core/base/dense.h"
+#include "core/mesh/body_shape.h"
 
 #include <assert.h>
 #include <math.h>
@@ -11,7 +12,7 @@
 arc_status arc_contact_problem_create(contact_problem *p, const arc_model *model) {
   const size_t nc = (size_t)arc_model_mesh(model, ARC_CYLINDER)->surface;
   const size_t np = (size_t)arc_model_mesh(model, ARC_PLATE)->surface;
-  *p = (contact_problem){.nc = (int)nc, .np = (int)np};
+  *p = (contact_problem){.model = model, .nc = (int)nc, .np = (int)np};
   p->first = malloc(nc * sizeof(int));
   p->set = malloc(nc * sizeof(int));
   p->joined = malloc(2 * nc * sizeof(int));
@@ -78,18 +79,31 @@ arc_status arc_contact_problem_update(contact_problem *p, const arc_shape *shape
   return ARC_OK;
 }
 
-/* Drops the warm start and fails with ARC_ZONE. The message names the body whose candidate zone is
- * too narrow. */
+/* Drops the warm start and fails with ARC_ZONE. The message names the body whose contact zone is
+ * too narrow, and the width of the zone and its limit [mm]. */
 static arc_status edge_reached(contact_problem *p, int left, arc_error *error) {
+  const arc_model_def *def = arc_model_definition(p->model);
   const int node = left ? p->lo : p->lo + p->count - 1;
-  const int cylinder = node == 1 || node == p->nc - 2;
+  const arc_body body = node == 1 || node == p->nc - 2 ? ARC_CYLINDER : ARC_PLATE;
+  const arc_body_def solid = arc_model_solid(def, body);
+  const body_limits limits = arc_body_limits(&solid);
+  const double zone = def->mesh.zone[body];
+  const char *name = arc_model_body_name(def, body), *end = left ? "left" : "right";
   p->active = 0;
-  return arc_fail(
-      error, ARC_ZONE,
-      "with the plate at x = %g mm the contact reaches the %s edge of the %s's candidate zone; "
-      "use a larger mesh.zone.%s",
-      p->x, left ? "left" : "right", cylinder ? "cylinder" : "plate",
-      cylinder ? "cylinder" : "plate");
+  if (arc_model_is_given(p->model))
+    return arc_fail(error, ARC_ZONE,
+                    "with the plate at x = %g mm the contact reaches the %s end of the contact "
+                    "curve of the %s",
+                    p->x, end, name);
+  if (zone < limits.zone * (1 - 1e-9))
+    return arc_fail(error, ARC_ZONE,
+                    "with the plate at x = %g mm the contact reaches the %s end of the contact "
+                    "zone of the %s; use mesh.zone.%s > %g mm (at most %g mm)",
+                    p->x, end, name, arc_body_name(body), zone, limits.zone);
+  return arc_fail(error, ARC_ZONE,
+                  "with the plate at x = %g mm the contact reaches the %s end of the contact zone "
+                  "of the %s, whose width of %g mm is the largest (%s)",
+                  p->x, end, name, zone, limits.zone_text);
 }
 
 /* Solves the contact problem with the compliance of the last condensation. If the compliance has

@@ -20,6 +20,7 @@ typedef struct contact_problem {
   double angle; /* [rad] angle of the load, positive along the arc length s; 0 except for pins in
                    holes */
   int aimed;    /* 1: `down` is up to date */
+  const arc_model *model; /* model of the bodies, for messages */
   const arc_shape
       *shape; /* shape of the last arc_contact_problem_update, used by the next solution */
   const revolution

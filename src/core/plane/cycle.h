@@ -245,8 +245,8 @@ void arc_wear_report_growth(const arc_wear *before, const arc_wear *now,
                             const arc_callbacks *callbacks);
 
 /* Reports the error `why` of a failed step. If the contact left the mesh, the message also states
- * why the mesh was not enlarged. The reason is the error `trouble`. If `trouble` is empty, the step
- * was too long, and the message includes the required zones. */
+ * why the mesh was not enlarged. The reason is the error `trouble`, unless it equals `why`. If
+ * `trouble` is empty, the step was too long, and the message includes the required zones. */
 arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_error *trouble,
                            arc_error *error);
 

@@ -122,9 +122,9 @@ static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *mo
       arc_wear_choose_procedure(d, model) == ARC_SP)
     return arc_fail(
         error, ARC_ARGUMENT,
-        "field 'stroke': a sliding plate (SP) allows at most 1.5 radius = %g mm, got %g mm; 2 "
-        "radius = %g mm is the half-reciprocating stroke over the whole plate (NSP)",
-        widest, d->stroke, width);
+        "field 'stroke': a sliding plate (SP) allows at most 0.75 of the width of the %s = %g mm, "
+        "got %g mm; its width = %g mm is the half-reciprocating stroke over the whole plate (NSP)",
+        arc_model_body_name(model, ARC_PLATE), widest, d->stroke, width);
   const int flat = arc_wear_alpha_stays_one(d) || d->track > 0 || arc_wear_over_plate(d, model);
   if (d->procedure == ARC_NSP && !flat)
     return arc_fail(error, ARC_ARGUMENT,

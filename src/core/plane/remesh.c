@@ -5,6 +5,7 @@
 #include "core/plane/cycle.h"
 
 #include <math.h>
+#include <string.h>
 
 /* `wider` is the increase of both zones, divided by the width of the cylinder's zone. The depth
  * of the wear box is multiplied by `deeper`. */
@@ -203,9 +204,10 @@ void arc_wear_report_growth(const arc_wear *before, const arc_wear *now,
 
 arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_error *trouble,
                            arc_error *error) {
-  if (trouble->message[0])
+  const int differs = strcmp(why->message, trouble->message) != 0;
+  if (trouble->message[0] && differs)
     return arc_fail(error, why->status, "%.250s; %.250s", why->message, trouble->message);
-  if (why->status != ARC_ZONE) return arc_fail(error, why->status, "%s", why->message);
+  if (why->status != ARC_ZONE || !differs) return arc_fail(error, why->status, "%s", why->message);
   const arc_model_def def = grown(w, why->status);
   return arc_fail(error, why->status,
                   "%.300s; its last step changed the surfaces too much: use shorter steps, jump = "
