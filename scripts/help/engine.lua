@@ -113,7 +113,7 @@ return {
   { "mesh", kind = "object", use = "m.mesh.cylinder, m.mesh.plate",
     text = "Finite element mesh of one body, symmetric about x = 0. The origin is the first point of contact; x is "
       .. "along the plate's surface, y points upwards. The meshes of a run, w.mesh.cylinder and w.mesh.plate, have "
-      .. "the worn positions of the nodes." },
+      .. "the worn positions of the nodes. model{ mesh={ size=, zone= } } defines it: help \"meshes\"." },
   { "mesh.nodes", kind = "field", text = "Number of nodes." },
   { "mesh.quads", kind = "field", text = "Number of quadrilaterals." },
   { "mesh.triangles", kind = "field", text = "Number of triangles." },

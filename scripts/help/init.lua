@@ -298,21 +298,29 @@ local function first_of(found)
   return others[1] and text .. "\n\n" .. show.others(others, 5) or text
 end
 
--- Returns the help text of a name. If no entry has the name, it is read as a question or as a word to search for, and
--- a similar name is suggested if the search finds nothing.
+-- Returns the help text for a synonym, such as "roughness", or nil. Also returns the entries that the search finds.
+local function explain_synonym(name)
+  local found, sure, meant = help.matches(name)
+  return meant and first_of(table.move(found, 1, sure, 1, {})), found, sure
+end
+
+-- Returns the help text of a name. A synonym comes before fields and methods of this name. If no entry has the name,
+-- it is read as a question or as a word to search for, and a similar name is suggested if the search finds nothing.
 local function explain_name(name)
   local found = help.find(name)
   if #found == 0 then found = help.find(name:lower()) end
   if #found > 0 then
+    local text = found[1].owner and not name:find("[.{:]") and explain_synonym(name)
+    if text then return text end
     local texts = {}
     for i, entry in ipairs(found) do texts[i] = show.entry(help, entry) end
     return table.concat(texts, "\n\n")
   end
   local text = #search.words(name) > 1 and first_of(search.answers(everything(), name))
   if text then return text end
-  local sure, meant
-  found, sure, meant = help.matches(name)
-  if meant then return first_of(table.move(found, 1, sure, 1, {})) end
+  local meant, sure
+  meant, found, sure = explain_synonym(name)
+  if meant then return meant end
   if sure > 0 then return show.found(found, name, math.min(sure, 12)) end
   local near = nearest(spoken(name))
   local hint = #found > 0 and ("help.search %q finds entries with parts of these words"):format(name)

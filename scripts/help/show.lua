@@ -194,7 +194,7 @@ Session      who()  session.save("s.archard")  session.open("s.archard")
 Topics       help "units"  "running in"  "files"  "meshes"  "gmsh"  "3-D"
              "steps"  "accuracy"  "fretting"  "pin on disc"  "coating"
              "measured surface"  "continue"  "warning"  "limits"  "glossary"
-             "run time"  "troubleshooting"  "citation"
+             "run time"  "prompt"  "troubleshooting"  "citation"
 
 help(wear) explains an object, help(w.step) a method, help "jump" a name,
 help "fretting map" any words; help.search "stability" searches all texts.

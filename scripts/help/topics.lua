@@ -263,6 +263,21 @@ A run is stored only by w:save. To store it regularly, for example each 1000 cyc
 s:run{ file= } stores each case of a study when it ends; after an interruption study.open(file):run() computes the rest.
 session.save("s.archard") stores all objects of the prompt, session.open("s.archard") restores them.]] },
 
+  { "prompt", [[
+The prompt runs Lua 5.4. An expression is printed, and its value is in _ . A table or a loop can have several lines; a local variable
+exists only in its own input. Tab completes names and fields; the arrow keys recall earlier inputs, Ctrl-R searches them.
+
+  help "jump"   ?jump       explains a name; help "fretting map" any words
+  who()                     lists the objects of the session
+  !ls                       runs a command of the system
+  clear                     clears the screen
+  w = nil                   deletes an object
+  Ctrl-C                    stops a run after its step; w:run() continues it
+  Ctrl-D   quit   exit      leaves; asks first if results are not saved
+
+There is no undo: w2 = w:clone() before a change keeps the state of a run, w:set changes fields, and session.save stores all objects.
+Errors of scripts name the file and the line; print shows any value. archard script.lua runs a script without the prompt.]] },
+
   { "fretting", [[
 Fretting is a motion so short that the elastic deformation is as large as the slip, so friction matters. Example: a cylinder
 is pressed with 100 N on a plate, which is moved by an oscillating force of 30 N:

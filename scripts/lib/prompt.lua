@@ -64,12 +64,13 @@ local function note_locals(text)
   io.stderr:write("note: a local variable exists only in its chunk; omit 'local' to keep the value\n")
 end
 
--- Converts short commands, as in IPython and Octave: ?name and name? show help, !command runs in the shell,
+-- Converts short commands, as in IPython and Octave: ?name and name? show help, ? the overview, !command runs in the shell,
 -- and clear clears the screen unless a global has this name. Returns a function that runs the command, or
 -- nil if the text is not a short command.
 local function short_command(text)
   local word = text:match("^%s*%?%s*([%w_.:{}]+)%s*$") or text:match("^%s*([%w_.:{}]+)%s*%?%s*$")
   if word then return function() require "archard".help(word) end end
+  if text:find("^%s*%?%s*$") then return function() require "archard".help() end end
   local line = text:match("^%s*!%s*(.+)$")
   if line then
     return function()
@@ -82,10 +83,14 @@ local function short_command(text)
   end
 end
 
--- Returns a hint for a text that is not Lua, or "".
-local function hint_for(text)
+-- Returns a hint for a text that is not Lua, with Lua's error message, or "".
+local function hint_for(text, message)
   local word = text:match "^%s*help%s+([%w_.:{}]+)%s*$"
   if word then return ('; did you mean help "%s"?'):format(word) end
+  local next_field = message:match "expected near '([%a_][%w_]*)'$" or message:match "to close '{' at line %d+%) near '([%a_][%w_]*)'$"
+  if next_field and text:find("{.*[^%s,{][ \t\n]+" .. next_field .. "%s*=") then
+    return ("; a comma is missing before %s"):format(next_field)
+  end
   local object, field = text:match "([%a_][%w_.:]*)%s*[%(%[]%s*([%a_][%w_]*)%s*=[^=]"
   if object then return ("; fields are given in braces: %s{ %s = ... }"):format(object, field) end
   return ""
@@ -111,7 +116,8 @@ function prompt.compile(text, name, line)
     return chunk
   end
   if is_open(as_statement, text) or is_open(as_expression, text) then return nil, nil end
-  return nil, (text:find("^%s*=") and as_expression or as_statement) .. hint_for(text)
+  local message = text:find("^%s*=") and as_expression or as_statement
+  return nil, message .. hint_for(text, message)
 end
 
 -- Shows the values of a chunk and stores the first one in the global `_`. A single string is shown page by

@@ -35,6 +35,11 @@ tap.is(n, 3, "a pasted loop is run completely")
 tap.is(state("a = 7\n-2"), nil, "a line that continues the previous line is not separated")
 tap.is(a, 5, "the continued line has the value that Lua computes")
 local _, message = prompt.compile("x = = 1", "=name", 12)
+local comma
+_, comma = prompt.compile("w = wear{ load=50,\n  stroke=4 k=2 }", "=name", 1)
+tap.holds(comma, "near 'k'; a comma is missing before k", "a field without a comma before it")
+_, comma = prompt.compile("x = (3 y)", "=name", 1)
+tap.ok(not comma:find "comma", "no hint of a comma in other texts")
 tap.is(message, "name:12: unexpected symbol near '='", "line numbers in messages start at the given line")
 
 -- --- values ------------------------------------------------------------------------------------
@@ -206,3 +211,7 @@ tap.ok(#help.find("alpha") >= 2, "help finds all entries of a name")
 tap.holds(help.text("strok"), 'did you mean "stroke"', "help proposes the nearest name")
 tap.holds(help.text(nil), "nil", "help of nil")
 tap.holds(tostring(help), "archard simulates", "print(help) shows the overview")
+for word, start in pairs{ roughness = "p:roughness{", friction = "fretting\n", ["?"] = "prompt\n", undo = "prompt\n",
+  thermal = "limits\n", ["2D"] = "model{geometry}", ["wear.roughness"] = "w:roughness", jump = "wear{jump}" } do
+  tap.is(help.text(word):sub(1, #start), start, ("help %q begins with the best entry"):format(word))
+end
