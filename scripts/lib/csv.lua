@@ -108,7 +108,10 @@ local function read_columns(path)
   for row = 2, #lines do
     local number, line = lines[row][1], lines[row][2]
     local cells = split(line, separator)
-    if #cells ~= #columns then refuse(path, number, "expected %d cells, got %d", #columns, #cells) end
+    if #cells ~= #columns then 
+      refuse(path, number, "expected %d cells, as many as names in line %d, got %d; lines before the names need a # in front",
+        #columns, lines[1][1], #cells)
+    end
     for i, cell in ipairs(cells) do
       local value, values = number_in(cell, separator), columns[i].values
       if value == math.huge or value == -math.huge then

@@ -67,7 +67,7 @@ function style.choose(given)
   end
   local name, options = given[1] == nil and current.name or given[1], {}
   if not presets[name] then
-    check.refuse("plot.style", "1", '"paper", "journal", "slides" or "screen"', name)
+    check.fail("plot.style", 'expected "paper", "journal", "slides" or "screen", got ' .. check.shown(name))
   end
   for key, value in pairs(given) do
     if key ~= 1 then options[key] = value end

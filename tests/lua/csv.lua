@@ -96,7 +96,7 @@ refused("1,2\n3,4\n", { ":1: expected a line of names first, got the number 1" }
   "a first line of numbers instead of names")
 refused("a,a\n1,2\n", { ":1: column 2: expected a unique name, got \"a\"" }, "a name that occurs twice")
 refused("a,\n1,2\n", "column 2: expected a unique name", "a column without a name")
-refused("a,b\n1,2\n3\n", { ":3: expected 2 cells, got 1" }, "a line with too few cells")
+refused("a,b\n1,2\n3\n", { ":3: expected 2 cells, as many as names in line 1, got 1" }, "a line with too few cells")
 refused("a,b\n1,2\n3,x\n", { ":3: column \"b\": expected a number, got \"x\"" },
   "a text in a column of numbers")
 refused("a,b\n1,2\n3,\n", { "column \"b\": expected a number, got \"\"" },

@@ -29,7 +29,7 @@ struct arc_atomic_file {
 };
 
 static arc_status failed(const char *name, int why, arc_error *error) {
-  return arc_file_refused(name, ARC_FILE_WRITE, strerror(why), error);
+  return arc_file_failed(name, ARC_FILE_WRITE, why, error);
 }
 
 static int is_temporary(const char *name) {

@@ -67,6 +67,13 @@ arc_status arc_file_refused(const char *name, arc_file_use use, const char *why,
                   name, why);
 }
 
+arc_status arc_file_failed(const char *name, arc_file_use use, int code, arc_error *error) {
+  const int no_folder = use == ARC_FILE_WRITE && code == ENOENT;
+  char why[160];
+  snprintf(why, sizeof why, no_folder ? "its folder does not exist (%s)" : "%s", strerror(code));
+  return arc_file_refused(name, use, why, error);
+}
+
 static int has_control(const char *path) {
   for (const char *c = path; *c; c++)
     if ((unsigned char)*c < 0x20 || *c == 0x7f) return 1;
@@ -79,7 +86,7 @@ arc_status arc_file_find(const char *name, arc_file_use use, char *path, arc_err
   if (strict && has_control(name))
     return arc_fail(error, ARC_ARGUMENT, "the file name has a control character");
   const int why = resolve(name, path);
-  if (why) return arc_file_refused(name, use, strerror(why), error);
+  if (why) return arc_file_failed(name, use, why, error);
   if (strict && has_control(path))
     return arc_file_refused(name, use, "a control character in its folder's name", error);
   return arc_file_allowed(name, path, use, error);

@@ -10,5 +10,7 @@ int arc_file_descriptor(const char *path);
 
 /* Returns ARC_IO and writes the message "cannot read NAME: WHY" or "cannot write 'NAME': WHY". */
 arc_status arc_file_refused(const char *name, arc_file_use use, const char *why, arc_error *error);
+/* The same for the reason of an errno. */
+arc_status arc_file_failed(const char *name, arc_file_use use, int code, arc_error *error);
 
 #endif

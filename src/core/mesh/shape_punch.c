@@ -32,6 +32,10 @@ static double inset(const arc_body_def *b, double crest, double x) {
 }
 
 static arc_status check(const arc_body_def *b, const char *path, arc_error *error) {
+  if (b->flat == 0)
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "field '%sflat': expected the width of the flat, a number > 0 mm; it has no default", path);
   if (!(b->flat > 0))
     return arc_fail(error, ARC_ARGUMENT, "field '%sflat': expected a number > 0 mm, got %g", path,
                     b->flat);
