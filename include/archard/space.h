@@ -282,10 +282,12 @@ arc_status arc_halfspace_stage(arc_halfspace *h, const double *const known[ARC_B
 
 /* Computes the largest eigenvalue of - d (c factor rate) / d depth (arc_halfspace_wear), accurate
  * to a few per cent, for the active sets of the given pressures [count][window]. An explicit step
- * with these coefficients is stable if the eigenvalue is less than 2. */
+ * with these coefficients is stable if the eigenvalue is less than 2. Errors: ARC_STOPPED,
+ * ARC_MEMORY. */
 arc_status arc_halfspace_eigenvalue(arc_halfspace *h, const arc_halfspace_wear *wear,
                                     const arc_halfspace_position *position, int count,
-                                    const double *pressure, double *eigenvalue, arc_error *error);
+                                    const double *pressure, const arc_callbacks *callbacks,
+                                    double *eigenvalue, arc_error *error);
 
 /* Transfers depths to the sites of another half-space, which has a larger window or smaller cells.
  * Depths are copied if the cells coincide. Otherwise they are interpolated linearly between sites,

@@ -196,7 +196,7 @@ static arc_status use_halfspace(arc_halfspace *h, arc_error *error) {
   if (status == ARC_OK)
     status = arc_halfspace_rate(h, from, position, 3, NULL, pressure, rates, NULL, error);
   if (status == ARC_OK)
-    status = arc_halfspace_eigenvalue(h, &rubs, position, 3, pressure, &value, error);
+    status = arc_halfspace_eigenvalue(h, &rubs, position, 3, pressure, NULL, &value, error);
   if (status == ARC_OK)
     status = arc_halfspace_solve(h, from, position, NULL, pressure, &value, NULL, error);
   if (status == ARC_OK) status = arc_halfspace_stress(h, pressure, 0.3, -0.1, stress, error);

@@ -172,6 +172,11 @@ static void test_explicit_limit(void **state) {
   assert_true(rough > 20 * smooth);
 }
 
+static int stop_at_once(void *context) {
+  (void)context;
+  return 1;
+}
+
 /* Tests the largest eigenvalue for a single contact: 2 / eigenvalue equals the stability limit
  * 1.168 dx / (k E*). */
 static void test_eigenvalue(void **state) {
@@ -182,8 +187,12 @@ static void test_eigenvalue(void **state) {
   check_ok(arc_halfspace_rate(w.h, depth, w.position, 1, NULL, w.pressure, w.known, NULL, why));
   const arc_halfspace_wear wear = {.c = {d.k, 0}};
   double eigenvalue;
-  check_ok(arc_halfspace_eigenvalue(w.h, &wear, w.position, 1, w.pressure, &eigenvalue, why));
+  check_ok(arc_halfspace_eigenvalue(w.h, &wear, w.position, 1, w.pressure, NULL, &eigenvalue, why));
   check_share(2 / eigenvalue, 1.168 * 0.005 / (d.k * steel_modulus), 0.03);
+  const arc_callbacks stop = {.stop = stop_at_once};
+  check_refused(
+      arc_halfspace_eigenvalue(w.h, &wear, w.position, 1, w.pressure, &stop, &eigenvalue, why),
+      ARC_STOPPED, "stopped");
   free_history(&w);
 }
 

@@ -143,8 +143,10 @@ typedef struct arc_kind {
                      arc_loop **loop, arc_error *error);
   wear_tangent *(*tangent)(const arc_wear *w); /* creates a tangent; NULL: out of memory */
   void (*end_tangent)(wear_tangent **tangent);
-  /* Returns the largest eigenvalue [1/cycle] of k times a tangent. */
-  double (*eigenvalue)(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
+  /* Returns the largest eigenvalue [1/cycle] of k times a tangent, or, if it cannot be computed or
+   * the user stops the computation, an upper bound of it. */
+  double (*eigenvalue)(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent,
+                       const arc_callbacks *callbacks);
 
   /* Functions of an implicit step. `begin_stages` allocates memory (after ARC_MEMORY `end_stages`
    * must still be called). `start` computes k times the rate at z = 0. `stage` starts from the

@@ -143,7 +143,8 @@ void arc_wear_add_work(const arc_wear *w, int at, wear_rate *rate);
 wear_tangent *arc_tangent_create(const arc_wear *w);
 void arc_tangent_free(wear_tangent **tangent);
 size_t arc_tangent_bytes(const arc_wear *w);
-double arc_tangent_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
+double arc_tangent_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent,
+                              const arc_callbacks *callbacks);
 void arc_wear_jacobian_clear(wear_tangent *j);
 /* Adds to the Jacobian of the window the Jacobian of the wear at point `at`, the last solved point.
  * Points must be added in order. `share` is the largest sliding distance of a node [mm].

@@ -276,7 +276,8 @@ static double normalise(int n, double *v) {
 /* Computes the largest eigenvalue of the Jacobian by power iteration. Row i is multiplied by the
  * wear coefficient k of node i. The vectors are stored in arrays of the group. */
 double arc_tangent_eigenvalue(const arc_wear *w, const double k_both[ARC_BODIES],
-                              wear_tangent *tangent) {
+                              wear_tangent *tangent, const arc_callbacks *callbacks) {
+  (void)callbacks;
   const double k[ARC_BODIES] = {sites_k(w, k_both, ARC_UPPER), sites_k(w, k_both, ARC_LOWER)};
   const int n = tangent->nc + tangent->np;
   double *v = tangent->group->own, *image = v + n, value = 0;

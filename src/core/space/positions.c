@@ -280,6 +280,17 @@ static arc_status find_kernels(positions *p, int preconditioned, arc_error *erro
   return status;
 }
 
+arc_status arc_positions_fit_box(positions *p, arc_error *error) {
+  space_range x, z;
+  find_ranges(p, &x, &z);
+  p->s.box = arc_space_box(p->s.h, x, z, p->s.mirrored);
+  return find_kernels(p, 0, error);
+}
+
+void arc_positions_read_box(const positions *p, double *boxed) {
+  for (int j = 0; j < p->s.count; j++) copy_box(p, &p->s.box, j, p->pressure, boxed, 0);
+}
+
 static arc_status solve_in_box(positions *p, arc_error *error) {
   stroke *s = &p->s;
   const int pre = is_preconditioned(p);
@@ -289,8 +300,8 @@ static arc_status solve_in_box(positions *p, arc_error *error) {
   if (status != ARC_OK) return status;
   for (int j = 0; j < s->count; j++) {
     arc_stroke_gap(s, p->depth, j, m.gap + (size_t)j * (size_t)s->box.nx * (size_t)s->box.nz);
-    copy_box(p, &s->box, j, p->pressure, m.pressure, 0);
   }
+  arc_positions_read_box(p, m.pressure);
   const active_problem problem = {.blocks = s->count,
                                   .cells = s->box.nx * s->box.nz,
                                   .modes = 1,

@@ -35,6 +35,12 @@ arc_status arc_positions_solve(positions *p, arc_error *error);
  * distributed over the workers. */
 arc_status arc_positions_solve_each(positions *p, arc_error *error);
 
+/* Sets s.box to the smallest box that contains all cells with pressure, and s.kernel to the
+ * convolution on it. */
+arc_status arc_positions_fit_box(positions *p, arc_error *error);
+/* Copies the pressures on the box to boxed [count][box]. */
+void arc_positions_read_box(const positions *p, double *boxed);
+
 /* Computes for each site of both bodies the sum of weight times pressure over the positions. */
 void arc_positions_rate(positions *p, double *const rate[ARC_BODIES]);
 /* Computes the sum of weight times pressure over the positions for the sites of one body. */

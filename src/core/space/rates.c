@@ -170,8 +170,9 @@ typedef struct tangent {
   positions *p;
   const arc_halfspace_wear *wear;
   active_work *work;
-  double *gap, *dp; /* [count][window] */
-  double *depth[ARC_BODIES], *rate[ARC_BODIES];
+  double *gap, *dp, *pressure;                  /* [count][box] */
+  double *sum[ARC_BODIES];                      /* [box], [rows][box.nz] sums of weight times dp */
+  double *depth[ARC_BODIES], *rate[ARC_BODIES]; /* [sites] */
 } tangent;
 
 static void free_tangent(tangent *t) {
@@ -183,10 +184,18 @@ static void free_tangent(tangent *t) {
 
 static int take_tangent(tangent *t) {
   const arc_halfspace *h = t->p->s.h;
-  const size_t all = (size_t)t->p->s.count * (size_t)h->cells;
-  t->work = arc_active_work_create(t->p->s.count, h->cells, 1, 0);
-  t->gap = malloc(2 * all * sizeof *t->gap);
-  t->dp = t->gap ? t->gap + all : NULL;
+  const space_box *box = &t->p->s.box;
+  const size_t cells = (size_t)box->nx * (size_t)box->nz, all = (size_t)t->p->s.count * cells,
+               lower = (size_t)h->rows * (size_t)box->nz;
+  t->work = arc_active_work_create(t->p->s.count, (int)cells, 1, 0);
+  t->gap = malloc((3 * all + cells + lower) * sizeof *t->gap);
+  if (t->gap) {
+    t->dp = t->gap + all;
+    t->pressure = t->dp + all;
+    t->sum[ARC_UPPER] = t->pressure + all;
+    t->sum[ARC_LOWER] = t->sum[ARC_UPPER] + cells;
+    arc_positions_read_box(t->p, t->pressure);
+  }
   const int depths = take_sites(h, t->depth), rates = take_sites(h, t->rate);
   return t->work && t->gap && depths && rates;
 }
@@ -207,6 +216,20 @@ static void start(const tangent *t) {
       t->depth[b][k] = (k / h->def.nz + k % h->def.nz) % 2 ? 1 : -1;
 }
 
+/* Sets the rate of a body at the sites of the box to -c factor sum / length. At all other sites it
+ * remains 0. */
+static void set_rate(const tangent *t, int b, double length) {
+  const arc_halfspace *h = t->p->s.h;
+  const space_box *box = &t->p->s.box;
+  const int rows = b == ARC_UPPER ? box->nx : h->rows, first = b == ARC_UPPER ? box->x : 0;
+  for (int i = 0; i < rows; i++)
+    for (int j = 0; j < box->nz; j++) {
+      const int k = (first + i) * h->def.nz + box->z + j;
+      const double factor = t->wear->factor[b] ? t->wear->factor[b][k] : 1;
+      t->rate[b][k] = -t->wear->c[b] * factor * t->sum[b][i * box->nz + j] / length;
+    }
+}
+
 /* Makes one step of the power iteration. Sets the rate to minus the change of c factor sum(weight
  * p) caused by the change `depth` of the depths, divided by the norm of `depth`. */
 static arc_status multiply(tangent *t, arc_error *error) {
@@ -215,9 +238,9 @@ static arc_status multiply(tangent *t, arc_error *error) {
   const double length = length_of(t, t->depth);
   const double *const depth[ARC_BODIES] = {t->depth[ARC_UPPER], t->depth[ARC_LOWER]};
   for (int j = 0; j < s->count; j++)
-    arc_stroke_read(s, depth, j, t->gap + (size_t)j * (size_t)s->h->cells);
+    arc_stroke_read(s, depth, j, t->gap + (size_t)j * (size_t)s->box.nx * (size_t)s->box.nz);
   const active_problem problem = {.blocks = s->count,
-                                  .cells = s->h->cells,
+                                  .cells = s->box.nx * s->box.nz,
                                   .modes = 1,
                                   .gap = t->gap,
                                   .weight = s->weight,
@@ -226,16 +249,13 @@ static arc_status multiply(tangent *t, arc_error *error) {
                                   .tolerance = 1e-3,
                                   .team = s->h->team};
   const arc_status status =
-      arc_active_set_tangent(&problem, t->work, t->p->pressure, t->dp, &used, error);
+      arc_active_set_tangent(&problem, t->work, t->pressure, t->dp, &used, error);
+  if (status == ARC_STOPPED) return arc_fail(error, ARC_STOPPED, "stopped on request");
   if (status != ARC_OK) return status;
-  s->upper = t->rate[ARC_UPPER];
-  s->lower = t->rate[ARC_LOWER];
+  s->upper = t->sum[ARC_UPPER];
+  s->lower = t->sum[ARC_LOWER];
   arc_stroke_gather(s, t->dp, 1);
-  for (int b = 0; b < ARC_BODIES; b++)
-    for (int k = 0, n = arc_halfspace_sites(s->h, (arc_body)b); k < n; k++) {
-      const double factor = t->wear->factor[b] ? t->wear->factor[b][k] : 1;
-      t->rate[b][k] *= -t->wear->c[b] * factor / length;
-    }
+  for (int b = 0; b < ARC_BODIES; b++) set_rate(t, b, length);
   return ARC_OK;
 }
 
@@ -257,8 +277,9 @@ static arc_status iterate(tangent *t, double *eigenvalue, arc_error *error) {
 
 arc_status arc_halfspace_eigenvalue(arc_halfspace *h, const arc_halfspace_wear *w,
                                     const arc_halfspace_position *position, int count,
-                                    const double *pressure, double *eigenvalue, arc_error *error) {
-  const arc_halfspace_options options = {.warm = 1};
+                                    const double *pressure, const arc_callbacks *callbacks,
+                                    double *eigenvalue, arc_error *error) {
+  const arc_halfspace_options options = {.warm = 1, .callbacks = callbacks};
   positions p;
   arc_status status = check_wear(w, error);
   if (status == ARC_OK)
@@ -266,9 +287,9 @@ arc_status arc_halfspace_eigenvalue(arc_halfspace *h, const arc_halfspace_wear *
   if (status != ARC_OK) return status;
   tangent t = {.p = &p, .wear = w};
   p.s.c[ARC_UPPER] = p.s.c[ARC_LOWER] = 0;
-  p.s.box = arc_space_window(h);
-  p.s.kernel = h->convolution[0][0];
-  status = take_tangent(&t) ? iterate(&t, eigenvalue, error) : no_memory(h, error);
+  status = arc_positions_fit_box(&p, error);
+  if (status == ARC_OK)
+    status = take_tangent(&t) ? iterate(&t, eigenvalue, error) : no_memory(h, error);
   p.s.upper = p.s.lower = NULL;
   free_tangent(&t);
   arc_positions_free(&p);

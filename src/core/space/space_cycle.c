@@ -258,13 +258,14 @@ static double bound(const arc_wear *w, const double k[ARC_BODIES], const space_t
          (arc_space_surface_compliance(d) * 0.584 * fmin(d->size_x, d->size_z));
 }
 
-double arc_space_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent) {
+double arc_space_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent,
+                            const arc_callbacks *callbacks) {
   const space_tangent *t = (const space_tangent *)(const void *)tangent;
   const arc_halfspace_wear wear = {.c = {k[ARC_UPPER], k[ARC_LOWER]},
                                    .factor = {t->factor[ARC_UPPER], t->factor[ARC_LOWER]}};
   double value = 0;
   if (t->path.count == 0) return 0;
-  const arc_status status = arc_halfspace_eigenvalue(t->grid->h, &wear, t->path.position,
-                                                     t->path.count, t->pressure, &value, NULL);
+  const arc_status status = arc_halfspace_eigenvalue(
+      t->grid->h, &wear, t->path.position, t->path.count, t->pressure, callbacks, &value, NULL);
   return status == ARC_OK ? value : bound(w, k, t);
 }

@@ -172,7 +172,8 @@ arc_status arc_space_rate(arc_wear *w, const wear_window *window, wear_progress 
 wear_tangent *arc_space_tangent(const arc_wear *w);
 void arc_space_end_tangent(wear_tangent **tangent);
 size_t arc_space_tangent_bytes(const arc_wear *w);
-double arc_space_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
+double arc_space_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent,
+                            const arc_callbacks *callbacks);
 
 /* --- space_slip.c ----------------------------------------------------------------------------- */
 /* Computes slip and shear of the steady cycle with friction, for given wear depths. The results are

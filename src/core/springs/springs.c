@@ -374,8 +374,9 @@ static void end_tangent(wear_tangent **t) {
   *t = NULL;
 }
 
-static double eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *t) {
-  (void)w;
+static double eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *t,
+                         const arc_callbacks *callbacks) {
+  (void)w, (void)callbacks;
   return (k[ARC_UPPER] + k[ARC_LOWER]) * ((const spring_tangent *)(const void *)t)->value;
 }
 

@@ -23,7 +23,10 @@ static arc_status find_eigenvalue(arc_wear *w, const wear_block *block, const do
   wear_progress progress = {.callbacks = callbacks};
   arc_status status = arc_wear_friction(w, cycle.state, &cycle.mu, error);
   if (status == ARC_OK) status = w->kind->rate(w, &cycle, &progress, &w->work.rate, error);
-  if (status == ARC_OK) *eigenvalue = w->kind->eigenvalue(w, k, tangent);
+  if (status == ARC_OK) {
+    *eigenvalue = w->kind->eigenvalue(w, k, tangent, callbacks);
+    status = callbacks_check(callbacks, error);
+  }
   w->kind->end_tangent(&tangent);
   return status;
 }

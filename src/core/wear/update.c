@@ -1,5 +1,6 @@
 /* Makes one update of the geometry: computes the coefficients, then the depths by the scheme of the
  * run. */
+#include "core/base/callbacks.h"
 #include "core/wear/step.h"
 
 #include <math.h>
@@ -190,7 +191,10 @@ static arc_status find_coefficients(whole *u, double *eigenvalue, arc_error *err
   arc_wear *w = u->w;
   arc_status status = arc_wear_integrate_coefficients(w, u->plan, u->rate, &u->coefficients, error);
   for (int cut = 0; cut < 3 && u->plan->staged && status == ARC_OK; cut++) {
-    *eigenvalue = w->kind->eigenvalue(w, u->coefficients.mean.k, w->start.tangent);
+    *eigenvalue =
+        w->kind->eigenvalue(w, u->coefficients.mean.k, w->start.tangent, u->progress->callbacks);
+    status = callbacks_check(u->progress->callbacks, error);
+    if (status != ARC_OK) break;
     const double longest = arc_wear_longest_staged(w, *eigenvalue);
     if (u->coefficients.cycles <= longest) break;
     arc_wear_plan_shorten(w, u->plan, longest);

@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <time.h>
 
 static lua_Number next_update(const arc_wear *wear) {
   return (lua_Number)arc_wear_last(wear)->update + 1;
@@ -111,6 +112,8 @@ int wear_step(lua_State *L) {
 typedef struct run_call {
   lua_State *L;
   int progress, stop_when; /* stack indices of the functions; 0: none */
+  int display;             /* 1: `progress` is the built-in display */
+  double shown;            /* time of its last call [s] */
   const char *asked;       /* name of the function that requested the end of the run */
   const char *failed;      /* name of the function that raised the error on top of the stack */
   functions_call functions;
@@ -135,15 +138,49 @@ static void warn_of_run(void *context, const char *text) {
   lua_warning(((run_call *)context)->L, text, 0);
 }
 
+/* Calls a function with the arguments on top of the stack, without the interrupt hook, so that an
+ * interrupt cannot stop it. */
+static void call_undisturbed(lua_State *L, int arguments) {
+  lua_Hook hook = lua_gethook(L);
+  int mask = lua_gethookmask(L), count = lua_gethookcount(L);
+  if (hook) lua_sethook(L, NULL, 0, 0);
+  lua_pcall(L, arguments, 0, 0);
+  if (hook) lua_sethook(L, hook, mask, count);
+}
+
+static double seconds(void) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* Calls the built-in display once a second during a long step, with the run and true. */
+static void show_step(run_call *call) {
+  static const double pause = 1; /* [s] */
+  if (!call->display || call->failed) return;
+  const double now = seconds();
+  if (now - call->shown < pause) return;
+  lua_State *L = call->L;
+  const int top = lua_gettop(L);
+  call->shown = now;
+  lua_pushvalue(L, call->progress);
+  lua_pushvalue(L, 1);
+  lua_pushboolean(L, 1);
+  call_undisturbed(L, 2);
+  lua_settop(L, top);
+}
+
 /* Returns true if the engine must stop, after an interrupt or an error of a function. The check for
  * errors is needed because the engine ignores an error in a predictor step. */
 static int is_to_stop(void *context) {
+  show_step(context);
   return interrupt_pending(NULL) || functions_failed(&((run_call *)context)->functions);
 }
 
 static int after_step(void *context, const arc_wear *wear) {
   (void)wear;
   run_call *call = context;
+  call->shown = seconds();
   const int progress = call_user(call, call->progress, "progress");
   if (call->failed) return 1;
   return call_user(call, call->stop_when, "stop_when") || progress;
@@ -159,36 +196,31 @@ static void push_display(lua_State *L, double goal) {
   lua_pushnil(L); /* nil: no progress is displayed */
 }
 
-/* Pushes the function that displays progress and returns its stack index. Returns 0 if there is no
- * such function. */
-static int push_progress_function(lua_State *L, double goal) {
+/* Pushes the function that displays progress and sets its stack index, 0 if there is no such
+ * function. */
+static void push_progress_function(lua_State *L, double goal, run_call *call) {
   int type = args_get(L, 2, "progress");
-  if (type == LUA_TFUNCTION) return lua_gettop(L);
+  if (type == LUA_TFUNCTION) {
+    call->progress = lua_gettop(L);
+    return;
+  }
   if (type != LUA_TNIL && type != LUA_TBOOLEAN)
     args_refuse(L, (args_location){"wear:run", ""}, "progress",
                 "a function of the wear object, true or false");
-  if (type == LUA_TBOOLEAN && !lua_toboolean(L, -1)) return 0;
+  if (type == LUA_TBOOLEAN && !lua_toboolean(L, -1)) return;
   push_display(L, goal);
-  return lua_isfunction(L, -1) ? lua_gettop(L) : 0;
-}
-
-/* Calls the function on top of the stack without the interrupt hook, so that an interrupt cannot
- * stop it. */
-static void call_undisturbed(lua_State *L) {
-  lua_Hook hook = lua_gethook(L);
-  int mask = lua_gethookmask(L), count = lua_gethookcount(L);
-  if (hook) lua_sethook(L, NULL, 0, 0);
-  lua_pcall(L, 0, 0, 0);
-  if (hook) lua_sethook(L, hook, mask, count);
+  call->display = lua_isfunction(L, -1);
+  call->progress = call->display ? lua_gettop(L) : 0;
+  call->shown = seconds();
 }
 
 /* Calls the function of the built-in display without an argument, which means that the run has
  * ended. */
 static void end_display(lua_State *L, const run_call *call) {
   int top = lua_gettop(L);
-  if (call->progress && args_get(L, 2, "progress") != LUA_TFUNCTION) {
+  if (call->display) {
     lua_pushvalue(L, call->progress);
-    call_undisturbed(L);
+    call_undisturbed(L, 0);
   }
   lua_settop(L, top);
 }
@@ -228,7 +260,7 @@ int wear_run(lua_State *L) {
   run_call call = {.L = L, .stop_when = goals.stop_when};
   const arc_callbacks callbacks = {
       .stop = is_to_stop, .warn = warn_of_run, .progress = after_step, .context = &call};
-  call.progress = push_progress_function(L, goals.distance);
+  push_progress_function(L, goals.distance, &call);
   luaL_checkstack(L, 20, where);
   lua_getiuservalue(L, 1, RUN_FUNCTIONS);
   call.functions = functions_enter(L, lua_gettop(L), made);
