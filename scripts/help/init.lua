@@ -304,7 +304,7 @@ local function explain_synonym(name)
   return meant and first_of(table.move(found, 1, sure, 1, {})), found, sure
 end
 
--- Returns the help text of a name. A synonym comes before fields and methods of this name. If no entry has the name,
+-- Returns the help text of a name. A synonym has priority over fields and methods of this name. If no entry has the name,
 -- it is read as a question or as a word to search for, and a similar name is suggested if the search finds nothing.
 local function explain_name(name)
   local found = help.find(name)

@@ -273,7 +273,7 @@ exists only in its own input. Tab completes names and fields; the arrow keys rec
   clear                     clears the screen
   w = nil                   deletes an object
   Ctrl-C                    stops a run after its step; w:run() continues it
-  Ctrl-D   quit   exit      leaves; asks first if results are not saved
+  Ctrl-D   quit   exit      exits, after a question if results are not saved
 
 There is no undo: w2 = w:clone() before a change keeps the state of a run, w:set changes fields, and session.save stores all objects.
 Errors of scripts name the file and the line; print shows any value. archard script.lua runs a script without the prompt.]] },

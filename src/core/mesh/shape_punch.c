@@ -35,7 +35,7 @@ static arc_status check(const arc_body_def *b, const char *path, arc_error *erro
   if (b->flat == 0)
     return arc_fail(
         error, ARC_ARGUMENT,
-        "field '%sflat': expected the width of the flat, a number > 0 mm; it has no default", path);
+        "field '%sflat': expected the width of the flat, a number > 0 mm, got none or 0", path);
   if (!(b->flat > 0))
     return arc_fail(error, ARC_ARGUMENT, "field '%sflat': expected a number > 0 mm, got %g", path,
                     b->flat);
