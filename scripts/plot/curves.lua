@@ -130,8 +130,28 @@ function curves.pressure(...)
   draw.draw(where, given)
 end
 
+local function largest(values)
+  local result = 0
+  for _, value in ipairs(values) do result = math.max(result, value) end
+  return result
+end
+
+-- Adds a dashed line at the bottom of each layer of a body that is worn by at least half of the depth of the line.
+local function add_layers(panel, object, body, depth)
+  for _, role in ipairs(roles) do
+    local layers = naming.body("plot.profile", object, role) == body and get(get(object.model, role), "layers")
+    local bottom = 0 -- [mm]
+    for i, layer in ipairs(layers or {}) do
+      bottom = bottom + layer.thickness
+      if bottom > 2 * depth then break end
+      panel[#panel + 1] = { x = {}, y = { 1000 * bottom, 1000 * bottom }, series = 8, dash = 3,
+        title = i == 1 and (#layers > 1 and "bottoms of the layers" or "bottom of the layer") or nil }
+    end
+  end
+end
+
 -- Returns a panel with the wear depths [µm] of the selected bodies of all objects. The depth axis starts at
--- 0.
+-- 0. A single run has lines for the layers.
 local function profile_panel(where, objects, names, of_body, scale, section)
   local panel, reach = {}, 0
   for i, object in ipairs(objects) do
@@ -142,9 +162,13 @@ local function profile_panel(where, objects, names, of_body, scale, section)
       panel[#panel + 1] = { x = profile.x, y = scaled(profile.h, 1000),
         title = #of_body > 1 and body or #objects > 1 and names[i] or nil,
         value = scale and scale.values[i] }
+      if #objects == 1 then add_layers(panel, object, body, largest(profile.h)) end
     end
   end
   panel.xrange, panel.yrange, panel.vlabel = range_of(reach), { 0 }, scale and scale.label
+  for _, curve in ipairs(panel) do
+    if #curve.x == 0 then curve.x = { -reach, reach } end
+  end
   return panel
 end
 

@@ -22,6 +22,21 @@ ok(not tostring(w.model):find("radius 10", 1, true), "a model with its own bodie
 w:run{ progress = false }
 has(w, "in a cycle ", "the largest pressure of a cycle is printed")
 
+local thin = { { thickness = 5e-4, E = 3e5, k = 1e-10 }, { thickness = 5e-4, E = 3e5, k = 1e-10 } }
+local coat = wear{ model = { upper = body.cylinder{ k = 1e-9 }, lower = body.block{ layers = thin, k = 1e-9 },
+  mesh = { size = 0.05, height = 0.05 } }, stroke = 0.5, distance = 1e5 }
+ok(not tostring(coat):find("worn through", 1, true), "a new layer is not worn through")
+coat:run{ depth = { plate = 7e-4 }, progress = false }
+local _, through = tostring(coat):gsub(", worn through", "")
+tap.is(through, 1, "one of two layers is worn through")
+local file = os.tmpname()
+plot.profile(coat, "plate", { file = file .. ".gp" })
+local script = assert(io.open(file .. ".gp")):read("a")
+ok(script:find("bottoms of the layers", 1, true) and script:find("\n[%-%d.e]+ 0?%.5%D") and script:find("\n[%-%d.e]+ 1%D"),
+  "plot.profile draws the bottoms of both layers in um")
+os.remove(file)
+os.remove(file .. ".gp")
+
 -- --- position of the largest pressure --------------------------------------------------------
 
 local punch = { upper = body.punch{ flat = 3.6, radius = 0.2 }, mesh = { size = 0.1 } }

@@ -96,15 +96,20 @@ int pair_has_layers(const arc_model_def *model) {
   return arc_body_layers(&model->body[ARC_UPPER]) + arc_body_layers(&model->body[ARC_LOWER]) > 0;
 }
 
-void pair_add_all_layers(luaL_Buffer *text, const arc_model_def *model) {
+void pair_add_all_layers(luaL_Buffer *text, const arc_model_def *model,
+                         const double depth[ARC_BODIES]) {
   const char *before = "  layers    ";
-  for (int b = 0; b < ARC_BODIES; b++)
+  for (int b = 0; b < ARC_BODIES; b++) {
+    double bottom = 0; /* [mm] */
     for (int l = 0; l < arc_body_layers(&model->body[b]); l++) {
+      bottom += model->body[b].layer[l].thickness;
       luaL_addstring(text, before);
       luaL_addstring(text, body_name(model, (arc_body)b));
       luaL_addchar(text, ' ');
       add_layer(text, &model->body[b].layer[l], indent);
+      if (depth[b] > bottom) luaL_addstring(text, ", worn through");
       before = indent;
     }
+  }
   if (pair_has_layers(model)) luaL_addchar(text, '\n');
 }

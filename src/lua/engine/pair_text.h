@@ -23,8 +23,10 @@ void pair_add_layers(luaL_Buffer *text, const arc_model_def *model, arc_body bod
  * each layer. */
 void pair_add_body(luaL_Buffer *text, const arc_model_def *model, arc_body body);
 
-/* Adds lines for the layers of both bodies, if there are any. */
-void pair_add_all_layers(luaL_Buffer *text, const arc_model_def *model);
+/* Adds lines for the layers of both bodies, if there are any. Layers that are thinner than the wear
+ * depth of their body [mm] are marked as worn through. */
+void pair_add_all_layers(luaL_Buffer *text, const arc_model_def *model,
+                         const double depth[ARC_BODIES]);
 int pair_has_layers(const arc_model_def *model);
 
 #endif

@@ -148,7 +148,10 @@ static const char *show_increments(const arc_wear *wear, char *text, size_t size
 }
 
 /* Adds lines that describe the bodies: shapes, materials, layers and mesh. */
-static void add_bodies(luaL_Buffer *text, const arc_model_def *model) {
+static void add_bodies(luaL_Buffer *text, const arc_wear *wear) {
+  const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
+  const arc_wear_record *last = arc_wear_last(wear);
+  const double depth[ARC_BODIES] = {last->depth_cylinder, last->depth_plate};
   enum { columns = 80 };
   char line[500], pair[300], space[100], mesh[80];
   pair_show(model, pair, sizeof pair);
@@ -162,7 +165,7 @@ static void add_bodies(luaL_Buffer *text, const arc_model_def *model) {
   snprintf(line, sizeof line, "%s\n", shapes ? "" : mesh);
   luaL_addstring(text, line);
   pair_add_materials(text, model);
-  pair_add_all_layers(text, model);
+  pair_add_all_layers(text, model, depth);
 }
 
 /* Writes coefficients such as "k 1e-08 mm2/N, alpha 0.5". For bodies with layers, writes the
@@ -190,7 +193,7 @@ static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
   snprintf(line, sizeof line, "wear: %s, load %s\n  wears by  %s\n", motion,
            show_load(wear, load, sizeof load), k_alpha);
   luaL_addstring(text, line);
-  add_bodies(text, arc_model_definition(arc_wear_model(wear)));
+  add_bodies(text, wear);
   snprintf(line, sizeof line, "  settings  %s %s, %s, increments %s, %s, %s slip\n",
            arc_procedure_names[arc_wear_procedure(wear)], arc_scheme_names[settings->scheme], steps,
            show_increments(wear, increments, sizeof increments),
