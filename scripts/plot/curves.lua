@@ -139,7 +139,7 @@ end
 -- Adds a dashed line at the bottom of each layer of a body that is worn by at least half of the depth of the line.
 local function add_layers(panel, object, body, depth)
   for _, role in ipairs(roles) do
-    local layers = naming.body("plot.profile", object, role) == body and get(get(object.model, role), "layers")
+    local layers = naming.body("plot.profile", object, role) == body and get(get(get(object, "model"), role), "layers")
     local bottom = 0 -- [mm]
     for i, layer in ipairs(layers or {}) do
       bottom = bottom + layer.thickness
@@ -244,6 +244,18 @@ local quantities = {
   { "^depth_", "wear depth / µm", 1000 },
   { "^volume_", "wear volume / mm³", 1 },
   { "^half_width$", "half width / mm", 1 },
+  { "^half_width_z$", "half width across the motion / mm", 1 },
+  { "^area$", "contact area / mm²", 1 },
+  { "^stick_width$", "width of the stick zone / mm", 1 },
+  { "^largest_shear$", "largest tangential force of a cycle / N", 1 },
+  { "^energy$", "dissipated energy / (N mm)", 1 },
+  { "^cycle_energy$", "energy dissipated in a cycle / (N mm)", 1 },
+  { "^load_distance$", "load times distance / (N mm)", 1 },
+  { "^gross$", "gross slip (1: yes)", 1 },
+  { "^error$", "estimated error / tolerance", 1 },
+  { "^solutions$", "contact solutions", 1 },
+  { "^elements$", "elements", 1 },
+  { "^box_rows$", "rows of the wear box", 1 },
   { "^k$", "k / (mm²/N)", 1 },
   { "^alpha$", "α", 1 },
   { "^jump$", "cycles per update", 1 },
@@ -309,10 +321,12 @@ local function steps_of(x, y)
   return xs, ys
 end
 
--- Returns x and y of the history column `jump` (cycles per update). The first row is omitted, because no
--- update precedes it. The last row is omitted if the end of the run shortened its update.
+-- History columns that belong to an update. Their first row is omitted, because no update precedes it.
+local of_update = { jump = true, error = true, cycle_energy = true, largest_shear = true, stick_width = true, gross = true }
+
+-- Returns x and y of the history column `jump` (cycles per update). The last row is omitted if the end of the run
+-- shortened its update.
 local function jumps_of(x, y)
-  if #y > 1 and y[1] == 0 then x, y = from_second(x), from_second(y) end
   if #y > 2 and y[#y] < y[#y - 1] then
     x, y = table.move(x, 1, #x - 1, 1, {}), table.move(y, 1, #y - 1, 1, {})
   end
@@ -321,6 +335,7 @@ end
 
 local function history_curve(where, history, abscissa, column, factor)
   local x, y = column_of(where, history, abscissa), column_of(where, history, column)
+  if of_update[column] and #y > 1 and y[1] == 0 then x, y = from_second(x), from_second(y) end
   if column == "jump" then x, y = jumps_of(x, y) end
   if chosen[column] then x, y = steps_of(x, y) end
   return { x = x, y = scaled(y, factor) }

@@ -261,9 +261,9 @@ function pictures.surface(t, options)
   local top = rise * deep + factor * (high - low)
   given.xrange = { t.x[1] - 0.02 * wide, t.x[#t.x] + lean * step * (rows - 1) + 0.02 * wide }
   given.yrange = { -0.05 * top, 1.05 * top }
-  given.xlabel, given.vlabel = "x / mm along the front edge", label_of(t)
+  given.xlabel, given.ylabel, given.vlabel = "x / mm (front edge)", "z / mm", label_of(t)
   given.yplaces = { at = { select(2, position(1, 1)), (select(2, position(1, rows))) },
-    words = { ("z = %.4g mm"):format(t.z[1]), ("z = %.4g mm"):format(t.z[#t.z]) } }
+    words = { ("%.3g"):format(t.z[1]), ("%.3g"):format(t.z[#t.z]) } }
   given.equal = true
   given.title = t.unit == "mm" and ("%s, exaggerated %g times"):format(t.name, factor) or t.name
   draw.draw(where, draw.over(given, options))

@@ -95,7 +95,7 @@ local function height_of(width, rows, columns, size)
   if current.height then return current.height end
   if size then return width * size[2] / size[1] end
   if rows * columns == 1 then return width * current.shape end
-  return math.min(highest, width / columns * 0.85 * rows + 8, highest_panel * rows + 8)
+  return math.min(highest, width / columns * 0.85 * rows + 8 + (columns > 2 and 16 or 0), highest_panel * rows + 8)
 end
 
 -- Returns the numbers of rows and columns of panels in a file. Stacked panels, which would be too flat, are

@@ -13,22 +13,23 @@ typedef struct kind {
   const char *ending, *terminal, *options, *family;
   double points, unit; /* default font size; size of one point [terminal units] */
   int text, vector;
+  double cell; /* size of a character by which gnuplot lays out keys, relative to the font */
 } kind;
 
 /* All kinds of canvas. If two terminals produce the same file format, the better terminal is
  * first. */
 static const kind kinds[] = {
-    {"png", "pngcairo", "enhanced background '#ffffff'", "sans", 11, 1.042, 0, 0},
-    {"png", "png", "enhanced truecolor", "sans", 9, 1, 0, 0},
-    {"svg", "svg", "enhanced background '#ffffff'", "sans-serif", 13, 1.389, 0, 1},
-    {"pdf", "pdfcairo", "enhanced background '#ffffff'", "sans", 15.8, 1.5, 0, 1},
-    {"eps", "epscairo", "enhanced", "sans", 15.8, 1.5, 0, 1},
-    {"gif", "gif", "enhanced", "sans", 9, 1, 0, 0},
-    {"txt", "dumb", "noenhanced", NULL, 0, 0, 1, 0},
-    {"sixel", "sixelgd", "enhanced truecolor", "sans", 9, 1, 0, 0},
-    {"window", "qt", "enhanced persist", "sans", 11, 1, 0, 0},
-    {"window", "wxt", "enhanced persist", "sans", 11, 1, 0, 0},
-    {"window", "x11", "enhanced persist", NULL, 0, 0, 0, 0},
+    {"png", "pngcairo", "enhanced background '#ffffff'", "sans", 11, 1.042, 0, 0, 1},
+    {"png", "png", "enhanced truecolor", "sans", 9, 1, 0, 0, 1},
+    {"svg", "svg", "enhanced background '#ffffff'", "sans-serif", 13, 1.389, 0, 1, 1.2},
+    {"pdf", "pdfcairo", "enhanced background '#ffffff'", "sans", 15.8, 1.5, 0, 1, 1},
+    {"eps", "epscairo", "enhanced", "sans", 15.8, 1.5, 0, 1, 1},
+    {"gif", "gif", "enhanced", "sans", 9, 1, 0, 0, 1},
+    {"txt", "dumb", "noenhanced", NULL, 0, 0, 1, 0, 1},
+    {"sixel", "sixelgd", "enhanced truecolor", "sans", 9, 1, 0, 0, 1},
+    {"window", "qt", "enhanced persist", "sans", 11, 1, 0, 0, 1},
+    {"window", "wxt", "enhanced persist", "sans", 11, 1, 0, 0, 1},
+    {"window", "x11", "enhanced persist", NULL, 0, 0, 0, 0, 1},
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
@@ -110,6 +111,7 @@ static void choose_letters(const arc_plot_output *output, const kind *found, arc
                                         : found->points * inches;
   canvas->family = output->family ? output->family : found ? found->family : NULL;
   double letter = points / USUAL_POINTS * canvas->inch / USUAL_DPI;
+  if (found && output->points > 0) letter *= found->cell;
   canvas->columns = canvas->text ? canvas->width : canvas->width / (8 * letter);
   canvas->rows = canvas->text ? canvas->height : canvas->height / (18 * letter);
 }

@@ -27,6 +27,22 @@ do
   ok(not read("ran") and not read("ran.png"), "commands in texts and file names are not executed")
 end
 
+-- --- keys ---------------------------------------------------------------------------------------
+
+-- Tests that the key below three panels has all entries, also in an .svg, in which gnuplot assumes wider letters.
+do
+  plot.style "journal"
+  local panel = {}
+  for i = 1, 8 do panel[i] = { y = { i, 2 * i }, title = ("alpha = 0.%d, stroke = 0.1%d mm"):format(i, i) } end
+  plot { panels = { panel, panel, panel }, layout = { 1, 3 }, file = folder .. "/key.svg" }
+  plot.style "screen"
+  local text, missing = read "key.svg", {}
+  for _, curve in ipairs(panel) do
+    if not text:find(curve.title, 1, true) then missing[#missing + 1] = curve.title end
+  end
+  tap.is(table.concat(missing, "; "), "", "all eight titles are in the key of an .svg of a journal's page")
+end
+
 -- --- files --------------------------------------------------------------------------------------
 
 local first_bytes = { png = "\137PNG", svg = "<?xml", pdf = "%PDF", gif = "GIF8", gp = "# Draw" }
