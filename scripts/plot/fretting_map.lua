@@ -84,7 +84,9 @@ return function(map, options)
   add_grounds(given, map, partial, gross, least, most)
   add_borders(given, map, partial, gross)
   add_conditions(given, map)
-  given.yrange = { options.logy and map.load[1] / 1.1 or 0, 1.05 * map.load[#map.load] } -- margin at the top
+  local low, high = map.load[1], map.load[#map.load]
+  local margin = low < high and 0.05 * (high - low) or low
+  given.yrange = { options.logy and low / 1.1 or low - margin, high + margin }
   given.xlabel, given.ylabel, given.xrange = "amplitude of the motion / µm", "load / N", { least, most }
   given.title = ("running condition fretting map: μ = %g"):format(map.friction)
   draw.draw(where, draw.over(given, options))

@@ -42,7 +42,10 @@ local function has_values(t)
   return false
 end
 
-local function label_of(t) return ("%s / %s"):format(t.name, (unit_of(t))) end
+local function label_of(t)
+  local unit = unit_of(t)
+  return (unit == "" or unit == "-") and t.name or ("%s / %s"):format(t.name, unit)
+end
 
 -- Returns the map as a list of coloured quadrilaterals with map points as corners, from the last row to the
 -- first. position(i, j): returns x and y of a map point in the picture; covers(x, z): returns true if the
@@ -144,6 +147,15 @@ local function ranges_of(t)
   return within(x, t.x), within(z, t.z)
 end
 
+-- Returns true if a point of a curve is within the ranges of a panel.
+local function reaches(curve, panel)
+  local x, y = panel.xrange, panel.yrange
+  for i = 1, #curve.x do
+    if not x or x[1] <= curve.x[i] and curve.x[i] <= x[2] and y[1] <= curve.y[i] and curve.y[i] <= y[2] then return true end
+  end
+  return false
+end
+
 -- plot.map(t, { levels=, vrange=, ... }) draws a map, plot.map(w, "height", { ... }) a map of a run.
 function pictures.map(object, options, more)
   local where = "plot.map"
@@ -167,8 +179,8 @@ function pictures.map(object, options, more)
   if joint then
     given.xlabel, given.ylabel = "x, anterior / mm", "z, along the axis of flexion / mm"
   end
-  if joint and t.name ~= "head" then
-    local rim = flat.rim(joint)
+  local rim = joint and t.name ~= "head" and flat.rim(joint)
+  if rim and reaches(rim, given) then
     rim.title, rim.colour, rim.width = "rim", "black", 1
     given[2] = rim
   end

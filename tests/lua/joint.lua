@@ -232,6 +232,8 @@ ok(io.open(picture .. ".gp"):read "a":find("cbrange [0:1]", 1, true),
 plot.map(w, "pressure", { file = picture .. ".gp" })
 ok(io.open(picture .. ".gp"):read "a":find("rim", 1, true),
   "plot.map of the pressure shows the rim of the cup")
+plot.map(w, "cross shear", { file = picture .. ".gp" })
+ok(not io.open(picture .. ".gp"):read "a":find("cross shear /", 1, true), "a label without a unit has no slash")
 plot.track(gait "iso", { term = "dumb", file = picture })
 plot.track(w, { term = "dumb", file = picture })
 ok(io.open(picture):read "a":find("paths of points", 1, true), "plot.track shows paths of points of the head")
