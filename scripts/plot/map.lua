@@ -18,7 +18,8 @@ end
 
 local function check_map(where, object)
   if not is_map(object) then
-    check.fail(where, "expected a map as the first argument, got " .. check.shown(object))
+    check.fail(where, ("expected a map as the first argument, got %s%s"):format(check.shown(object),
+      where == "plot.surface" and type(object) == "userdata" and '; w:map("block") is the map of a body in 3-D' or ""))
   end
   return object
 end

@@ -21,7 +21,13 @@ local function path_of(where, wanted)
       return examples_folder.find() .. "/" .. name .. ".lua"
     end
   end
-  check.fail(where, ("no example %s%s"):format(check.shown(wanted), check.hint(tostring(wanted), plain)))
+  local similar = {}
+  for _, name in ipairs(plain) do
+    if wanted ~= "" and name:find((tostring(wanted):lower():gsub("%s", "_")), 1, true) then similar[#similar + 1] = "'" .. name .. "'" end
+  end
+  local hint = check.hint(tostring(wanted), plain)
+  if similar[1] and hint:find "known" then hint = (" (did you mean %s?)"):format(table.concat(similar, " or ")) end
+  check.fail(where, ("no example %s%s"):format(check.shown(wanted), hint))
 end
 
 -- Returns a text that lists all examples with their descriptions.

@@ -253,6 +253,7 @@ holds(told, { "time: ", " ms, processors " }, "time() prints the times")
 is(a + b, 9, "time() returns the results")
 fails(function() time(3) end, { "time", "expected a function", "got 3" }, "time() of a number")
 holds(printed(examples), { "01_contact", "05_running_in", "examples.run" }, "examples are listed")
+tap.fails(function() examples.run "hip" end, { "did you mean 'metal_on_metal_hip' or 'hip_cross_shear'?" }, "examples with the word")
 holds(printed(examples, "coating"), "local thickness", "an example is shown")
 is(printed(examples, 6), printed(examples, "06_coating"),
   "an example is found by its number and by its full name")
