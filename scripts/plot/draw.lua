@@ -285,6 +285,7 @@ local function on(figure, surface)
   local panels = {}
   for _, name in ipairs{ "x", "y" } do
     if figure.nature[name] then figure = units.shown(figure, name) end
+    if surface == "pixels" then figure = units.with_powers(figure, name) end
   end
   local marked = surface == "pixels" and marked_of(figure)
   for i, panel in ipairs(figure.panels) do

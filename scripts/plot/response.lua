@@ -5,6 +5,7 @@ local check = require "archard.lib.check"
 local keys = require "archard.lib.keys"
 local spelling = require "archard.lib.spelling"
 local draw = require "archard.plot.draw"
+local units = require "archard.plot.units"
 local naming = require "archard.plot.naming"
 local curves = require "archard.plot.curves"
 
@@ -152,10 +153,7 @@ local function as_map(points, options, label, factor)
   for _, point in ipairs(points) do most = math.max(most, math.abs(point.y * factor)) end
   local power = most > 0 and (most < 0.01 or most >= 1e5) and math.floor(math.log(most, 10)) or 0
   factor = factor / 10 ^ power
-  if power ~= 0 then
-    local quantity, unit = label:match "^(.-) / (.*)$"
-    label = unit and ("%s / 1e%d %s"):format(quantity, power, unit) or ("%s / 1e%d"):format(label, power)
-  end
+  if power ~= 0 then label = units.with_power(label, power) end
   local xs, ys = values_of(points, "x"), values_of(points, "by")
   local across, up = position_in(xs, false), position_in(ys, false)
   local field, n = { x = {}, y = {}, value = {} }, 0

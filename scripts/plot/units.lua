@@ -1,6 +1,6 @@
 -- Converts lengths on the axes of a picture to a suitable unit, for example distances to m or km and depths
--- to nm. The conversion copies the figure, because points may later be added to the original in its own
--- units.
+-- to nm, and divides very large and small numbers by a power of ten. The conversion copies the figure, because
+-- points may later be added to the original in its own units.
 
 local merged = require "archard.lib.merged"
 
@@ -81,6 +81,44 @@ function units.shown(figure, name)
     local unit, per_mm = unit_for(fits and reaches[what] or 0)
     local factor = fits and mm * per_mm or 1
     result.panels[i] = math.abs(factor - 1) < 1e-9 and panel or in_unit(panel, name, ("%s / %s"):format(what, unit), factor)
+  end
+  return result
+end
+
+-- --- powers of ten -------------------------------------------------------------------------------
+
+-- Returns the exponent of the power of ten by which numbers up to `reach` are divided: 0 if they are short.
+local function exponent_of(reach)
+  if reach >= 1e5 then return 3 * math.floor(math.log(reach, 10) / 3 + 1e-9) end
+  return reach > 0 and reach < 1e-3 and math.floor(math.log(reach, 10) + 1e-9) or 0
+end
+
+local raised = { [0] = "⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹" }
+
+-- Returns a label with a power of ten, such as "k / 10⁻⁸ (mm²/N)".
+function units.with_power(label, exponent)
+  local digits = ("%d"):format(exponent):gsub("%d", function(digit) return raised[tonumber(digit)] end):gsub("-", "⁻")
+  local what, unit = label:match "^(.-) / (.*)$"
+  return what and ("%s / 10%s %s"):format(what, digits, unit) or ("%s / 10%s"):format(label, digits)
+end
+
+-- Returns a copy of the figure in which numbers along the linear axis `name` that are very large or small are divided
+-- by a power of ten, which is added to the label. Axes with the same label have the same power.
+function units.with_powers(figure, name)
+  local reaches, result = {}, merged(figure)
+  local function is_plain(panel)
+    local axis = panel[name]
+    return axis.label and not axis.log and not axis.places and not panel.field and not axis.label:find " / 10"
+  end
+  for _, panel in ipairs(figure.panels) do
+    local label = panel[name].label
+    if is_plain(panel) then reaches[label] = math.max(reaches[label] or 0, reach_of(panel, name)) end
+  end
+  result.panels = {}
+  for i, panel in ipairs(figure.panels) do
+    local label = panel[name].label
+    local exponent = is_plain(panel) and exponent_of(reaches[label]) or 0
+    result.panels[i] = exponent == 0 and panel or in_unit(panel, name, units.with_power(label, exponent), 10.0 ^ -exponent)
   end
   return result
 end

@@ -66,8 +66,12 @@ do
   local large = { x = { 0, 1 }, y = { 1.0000001, 1.0000004 }, ylabel = "p", xlabel = "d" }
   plot { panels = { small, large }, layout = { 2, 1 }, file = folder .. "/n.gp" }
   local script = read("n.gp") or ""
-  has(script, "set format y '%.0t×10^{%T}'", "files show small numbers as powers of ten")
+  has(script, { 'set ylabel "k / 10⁻⁸"', "\n0 1\n1 0.2" }, "files divide small numbers by a power of ten")
   has(script, "set format y '%.8f'", "enough digits to distinguish neighbouring numbers")
+  plot { x = { 0, 1 }, y = { 1e-8, 2e-9 }, file = folder .. "/b.gp" }
+  has(read "b.gp", "set format y '%.0t×10^{%T}'", "an axis without a label has powers of ten at its numbers")
+  plot { x = { 1, 2e6 }, y = { 1e-8, 2e-9 }, xlabel = "cycles", ylabel = "k / (mm²/N)", logx = true, file = folder .. "/b.gp" }
+  has(read "b.gp", { 'set xlabel "cycles"', 'set ylabel "k / 10⁻⁸ (mm²/N)"' }, "a logarithmic axis is not divided")
   local margins = {}
   for left in script:gmatch("set lmargin at screen ([%d.]+)\nset rm") do
     margins[#margins + 1] = tonumber(left)

@@ -67,7 +67,7 @@ do
   has(script, 'set cblabel "wear depth / ', "a response map has a label at its colour scale")
   has(script_of(function(file)
     plot.response(sweep(), { x = "alpha", y = "depth_partition", by = "stroke", map = true, file = file })
-  end), " / 1\195\15110^{-3}\" enhanced", "small values of a response map have a power of ten in the label")
+  end), " / 10⁻³\"", "small values of a response map have a power of ten in the label")
   ok(tonumber(script:match "set rmargin ([%d.]+)") > 9, "the margin contains the scale and its label")
   refused(function() plot.response(sweep(), { x = "alpha", y = "depth_plate", where = { alfa = 0.5 } }) end,
     "field 'where': no case has a setting 'alfa' (did you mean 'alpha'?)", "a misspelt setting in where")

@@ -127,7 +127,7 @@ do
   has(history({ 0, 1e7, 2.5e7 }, { 0, 1e-3, 2e-3 }, {}), 'set xlabel "distance / km"',
     "very long distances are drawn in km")
   script = history({ 0, 1e6, 2e6 }, { 0, 1e-3, 2e-3 }, { xlabel = "distance / mm" })
-  has(script, "\n1000000 1\n", "the label given by the user determines the unit")
+  has(script, { 'set xlabel "distance / 10⁶ mm"', "\n1 1\n" }, "the label given by the user determines the unit")
   plot.history(run, "depth_plate", { file = folder .. "/p.gp" })
   has(script_of(function(file) plot.points { x = { 10 }, y = { 1 }, file = file } end), "\n10 1\n",
     "points added later are in mm and µm")
