@@ -95,7 +95,7 @@ local function to_curve(where, given, number, panel)
     check.fail(where, ("curve %d: expected a table { x=, y= }, got %s"):format(number,
       check.shown(given)))
   end
-  check.fields(where, given, curve_fields, prefix)
+  given = check.fields(where, given, curve_fields, prefix)
   if not given.y then check.refuse(where, prefix .. "y", check.list.expected, nil) end
   return {
     x = given.x or counted(given.y), y = given.y, title = words(given.title),
@@ -120,7 +120,7 @@ local function to_curves(where, given, panel)
   end
   for number, item in ipairs(given) do
     if type(item) == "table" and item.value and type(item.value) ~= "number" then
-      check.fields(where, item, curve_fields, ("field %d: "):format(number))
+      item = check.fields(where, item, curve_fields, ("field %d: "):format(number))
       if not (item.x and item.y) then
         check.fail(where, "a field of values needs lists x and y with the four corners of each polygon")
       end
@@ -208,11 +208,12 @@ local function letter(panels)
   end
 end
 
+-- Returns the figure of the options of plot{}, and a copy of the options, which were read once.
 local function to_figure(where, given)
-  check.fields(where, given, figure_fields)
   local nature = made[given] or {}
+  given = check.fields(where, given, figure_fields)
   if not given.panels then
-    return { panels = { to_panel(where, given) }, nature = nature }
+    return { panels = { to_panel(where, given) }, nature = nature }, given
   end
   if #given.panels == 0 then check.refuse(where, "panels", "a list of panels", given.panels) end
   local layout = given.layout or {}
@@ -223,12 +224,12 @@ local function to_figure(where, given)
       check.fail(where, ("panel %d: expected a table, got %s"):format(number,
         check.shown(panel)))
     end
-    check.fields(where, panel, panel_fields, ("panel %d: "):format(number))
+    panel = check.fields(where, panel, panel_fields, ("panel %d: "):format(number))
     figure.one_key = figure.one_key and panel.key == nil
     figure.panels[number] = to_panel(where, inherit(panel, given))
   end
   if given.letters ~= false then letter(figure.panels) end
-  return figure
+  return figure, given
 end
 
 -- --- drawing ------------------------------------------------------------------------------------
@@ -347,7 +348,8 @@ setmetatable(draw.default, { __plain = true,
 -- nil.
 local function render(where, given, moving)
   check.fields(where .. ": plot.default", draw.default, default_fields)
-  return paint(where, to_figure(where, given), given, moving)
+  local figure, read_once = to_figure(where, given)
+  return paint(where, figure, read_once, moving)
 end
 
 -- Draws a figure from options of plot{}. A picture for the terminal is printed.
@@ -373,7 +375,7 @@ function draw.points(where, given)
   if type(given) ~= "table" then
     check.fail(where, "expected a table { x=, y=, error= }, got " .. check.shown(given))
   end
-  check.fields(where, given, merged(curve_fields, output_fields, { panel = check.count }))
+  given = check.fields(where, given, merged(curve_fields, output_fields, { panel = check.count }))
   local number, figure = given.panel or 1, last and merged(last) or { nature = {}, panels = { { x = {}, y = {},
     value = {}, key = "below", curves = {} } } }
   if not figure.panels[number] then
@@ -395,7 +397,7 @@ end
 -- Writes an animated gif. `frames` is a list of option tables of plot{}, `delay` the time per frame [s].
 function draw.film(where, frames, delay, given)
   local figures = {}
-  for i, frame in ipairs(frames) do figures[i] = on(to_figure(where, frame), "pixels") end
+  for i, frame in ipairs(frames) do figures[i] = on((to_figure(where, frame)), "pixels") end
   local to = output.to_file(where, figures[1], given.file, "gif", given.size)
   run(where, gnuplot.animate, figures, delay, to)
   written.note(where, given.file)

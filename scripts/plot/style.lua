@@ -72,7 +72,7 @@ function style.choose(given)
   for key, value in pairs(given) do
     if key ~= 1 then options[key] = value end
   end
-  check.fields("plot.style", options, fields)
+  options = check.fields("plot.style", options, fields)
   options.width = as_column[options.width] or options.width
   if name == "screen" then refuse_on_screen(options) end
   current = merged(given[1] == nil and current or presets[name], options)

@@ -45,7 +45,7 @@ end
 -- Reads the measurements of both bodies as two lists. Values with the same index belong to the same test. A
 -- single 0 instead of a list means that the wear of this body was too small to measure in all tests.
 local function read_pair(name, given)
-  check.fields(where, given, { cylinder = check.any "numbers", plate = check.any "numbers" },
+  given = check.fields(where, given, { cylinder = check.any "numbers", plate = check.any "numbers" },
     name .. ".")
   local cylinder = measurements(name .. ".cylinder", given.cylinder)
   local plate = measurements(name .. ".plate", given.plate)
@@ -123,11 +123,10 @@ end
 
 local function from_courses(given)
   local count = #given.distance
-  check.fields(where, given.volume, { cylinder = check.any "lists", plate = check.any "lists" },
-    "volume.")
-  local cylinder = read_tests("volume.cylinder", given.volume.cylinder, count)
-  local plate = read_tests("volume.plate", given.volume.plate, count)
-  if #cylinder ~= #plate and given.volume.cylinder ~= 0 and given.volume.plate ~= 0 then
+  local volume = check.fields(where, given.volume, { cylinder = check.any "lists", plate = check.any "lists" }, "volume.")
+  local cylinder = read_tests("volume.cylinder", volume.cylinder, count)
+  local plate = read_tests("volume.plate", volume.plate, count)
+  if #cylinder ~= #plate and volume.cylinder ~= 0 and volume.plate ~= 0 then
     check.fail(where, ("fields 'volume.cylinder' and 'volume.plate': expected the same number "
       .. "of tests, got %d and %d"):format(#cylinder, #plate))
   end

@@ -132,7 +132,7 @@ end
 -- caption=, shows=, files= } for the drawn figures.
 function figures.draw(study, options)
   options = options or {}
-  check.fields("study:figures", options, fields)
+  options = check.fields("study:figures", options, fields)
   local terms = type(options.term) == "table" and options.term or { options.term or "svg" }
   local dir = options.dir or "figures"
   if terms[1] ~= "dumb" then make_folder(dir) end

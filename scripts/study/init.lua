@@ -159,7 +159,7 @@ end
 -- study. After the call, study.failed lists the failed cases and study.warned the cases with warnings.
 function methods:run(options)
   options = options or {}
-  check.fields("study:run", options, run_fields)
+  options = check.fields("study:run", options, run_fields)
   self:close()
   try_first(self, "study:run")
   local definitions = require "archard.study.definitions"
@@ -234,7 +234,7 @@ end
 function study.merge(...)
   local files = { ... }
   local options = type(files[#files]) == "table" and table.remove(files) or {}
-  check.fields("study.merge", options, { file = check.file })
+  options = check.fields("study.merge", options, { file = check.file })
   for _, file in ipairs(options) do files[#files + 1] = file end
   for i, file in ipairs(files) do
     if not check.file.test(file) then

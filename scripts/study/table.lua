@@ -213,7 +213,7 @@ local fields = { format = check.one_of{ "text", "csv", "markdown" }, file = chec
 -- returns the path.
 function tables.make(study, options)
   options = options or {}
-  check.fields("study:table", options, fields)
+  options = check.fields("study:table", options, fields)
   local by_ending = options.file and endings[options.file:match("%.(%w+)$") or ""]
   local text = forms[options.format or by_ending or "text"](study, columns_of(study))
   if not options.file then return text end

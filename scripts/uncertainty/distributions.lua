@@ -50,8 +50,7 @@ local function read(kind, order, fields, given)
     end
     named[name] = value
   end
-  check.fields(kind, named, fields)
-  return named
+  return check.fields(kind, named, fields)
 end
 
 local function required(kind, given, name, what)
