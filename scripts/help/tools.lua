@@ -95,6 +95,9 @@ return {
       .. "their number and their noise are smaller." },
   { "profile.cut", kind = "method", class = "profile", use = "p:cut(from, to)",
     text = "The part of a profile between two positions [mm]." },
+  { "profile.center", kind = "method", class = "profile", use = "wear{ worn={ plate=p:center() } }",
+    text = "The profile shifted along x so that the centre of its scar is x = 0, where the bodies touch; without a scar, "
+      .. "the centre of the trace." },
   { "profile.depth", kind = "method", class = "profile", use = "p:depth()  p:depth(before)",
     text = "Depths h below the line or circle through the unworn part, which is fitted as by p:level, or below a "
       .. "trace measured on the same line before wear. Points above the line, circle or trace have negative "

@@ -264,7 +264,7 @@ s:run{ file= } stores each case of a study when it ends; after an interruption s
 session.save("s.archard") stores all objects of the prompt, session.open("s.archard") restores them.]] },
 
   { "prompt", [[
-The prompt runs Lua 5.4. An expression is printed, and its value is in _ . A table or a loop can have several lines; a local variable
+The prompt runs Lua 5.4; its history of inputs is kept between sessions. An expression is printed, and its value is in _ . A table or a loop can have several lines; a local variable
 exists only in its own input. Tab completes names and fields; the arrow keys recall earlier inputs, Ctrl-R searches them.
 
   help "jump"   ?jump       explains a name; help "fretting map" any words
@@ -405,6 +405,9 @@ Too coarse for the contact: fewer than four elements per half width. Give a smal
 A contact, step or fit that does not converge raises an error that describes the problem. For a contact, check the units and the
 shape of worn surfaces. For a step, use shorter steps, or jump = "auto". For a fit, use better start values, bounds, or fewer
 unknowns. To check if mesh and steps are fine enough, use study.converge{}, or compare with mesh.fineness = 2.
+
+Out of memory: print(m.bytes) shows the memory of a model in bytes. Use larger elements (mesh.size) or, in 3-D, larger cells and fewer
+increments; in a study fewer workers, s:run{ workers=2 }, because each has its own model.
 
 Slow runs: time(function() w:step() end) measures a step. Use larger elements, fewer increments, longer steps. Studies use all
 processors by default.

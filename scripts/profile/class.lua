@@ -233,6 +233,21 @@ function methods:cut(from, to)
   return profile.derived(self, x, z)
 end
 
+-- Returns the centre of the scar [mm], or of the trace if no scar was detected.
+function profile.middle(p)
+  if p.scar then return (p.scar.from + p.scar.to) / 2 end
+  return (p.x[1] + p.x[#p.x]) / 2
+end
+
+-- Lua method p:center(): returns the profile shifted so that the centre of its scar, or of the trace, is at x = 0.
+function methods:center()
+  profile.self("profile:center", self)
+  local x, by = {}, profile.middle(self)
+  for i = 1, #self.x do x[i] = self.x[i] - by end
+  local found = self.scar and strict.table({ from = self.scar.from - by, to = self.scar.to - by }, "profile.scar") or nil
+  return profile.derived(self, x, profile.heights(self), { scar = found })
+end
+
 -- Returns a copy of the list part of a table, or an empty list if `given` is not a table.
 local function copied(given)
   local list = {}
@@ -279,7 +294,7 @@ function class.__tostring(p)
   local low, high = math.huge, -math.huge
   for _, value in ipairs(p.z or p.h) do low, high = math.min(low, value), math.max(high, value) end
   local lines = { ("profile: %d points, x %.6g to %.6g mm, step %s"):format(#p.x, p.x[1], p.x[#p.x], um(profile.step(p))),
-    ("  %s %.4g to %s, noise %s%s"):format(p.z and "heights" or "depths", 1000 * low, um(high), um(p.error),
+    ("  %s %.4g to %s, noise %s%s"):format(p.z and "heights" or "depths", 1000 * low + 0.0, um(high), um(p.error),
       p.correlation > 1.5 * profile.step(p) and (" over %.4g mm"):format(p.correlation) or "") }
   if p.form then
     local is_round = p.form == "line" and p.error > 0 and p.scatter.deviation > uneven * p.error

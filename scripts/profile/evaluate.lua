@@ -211,9 +211,19 @@ local function warn_of_tilt(p)
   end
 end
 
+local most_aside = 0.1 -- largest distance of the scar's centre from x = 0 without a warning, in widths of the scar
+
+-- Warns if a detected scar is not at x = 0, where the bodies touch.
+local function warn_of_place(p)
+  local middle = p.scar and profile.middle(p)
+  if not middle or math.abs(middle) <= most_aside * (p.scar.to - p.scar.from) then return end
+  warn(("worn: the centre of the scar is at x = %.4g mm, but the bodies touch at x = 0; to shift it use p:center()"):format(middle))
+end
+
 -- Returns the initial depths { x=, h= } of a run for which the user sets worn = { plate = p }.
 function profile.class.__worn(p)
   warn_of_tilt(p)
+  warn_of_place(p)
   return { x = p.x, h = start_of(p) }
 end
 

@@ -96,6 +96,8 @@ int pair_has_layers(const arc_model_def *model) {
   return arc_body_layers(&model->body[ARC_UPPER]) + arc_body_layers(&model->body[ARC_LOWER]) > 0;
 }
 
+static const double rounding = 1e-6; /* a run that ends at the bottom of a layer is through it */
+
 void pair_add_all_layers(luaL_Buffer *text, const arc_model_def *model,
                          const double depth[ARC_BODIES]) {
   const char *before = "  layers    ";
@@ -107,7 +109,7 @@ void pair_add_all_layers(luaL_Buffer *text, const arc_model_def *model,
       luaL_addstring(text, body_name(model, (arc_body)b));
       luaL_addchar(text, ' ');
       add_layer(text, &model->body[b].layer[l], indent);
-      if (depth[b] > bottom) luaL_addstring(text, ", worn through");
+      if (depth[b] >= bottom * (1 - rounding)) luaL_addstring(text, ", worn through");
       before = indent;
     }
   }
