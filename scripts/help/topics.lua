@@ -135,7 +135,7 @@ mesh.fineness = 2 halves the size. If you set mesh.size, use at least four eleme
 plot.mesh(m, { zoom = "wear box" }) shows the elements.
 
 mesh.zone is the full width of the contact zone of each body, automatic by default. If a scar outgrows the zone or the wear box,
-the run continues on new meshes with a message; contact{ model=m } is solved on wider meshes too, with a warning.
+the run continues on new meshes with a message; automatic elements grow with the scar without one, and print(w) shows their size; contact{ model=m } is solved on wider meshes too, with a warning.
 study.converge{} searches for the size, the jump and the increments of a case. Pressures at edges of scars (p_max, p_peak) grow as the mesh is refined; p_average converges.]] },
   { "gmsh", [[
 model{ mesh = "pair.msh" } reads both bodies from a Gmsh file: text, version 4.1 or 2.2, in mm and in the plane z = 0,

@@ -77,3 +77,13 @@ for _, scheme in ipairs{ "explicit", "implicit" } do
   within(layered.p_center, plain.p_center, 0.005, of .. "pressure of a body of its material [MPa]")
   figures.ok(layered.update <= 2 * plain.update, of .. "at most twice the number of updates")
 end
+
+-- Tests that the meshes that follow a scar stay fine enough for the coating exposed at its edges, where it
+-- carries ten times the pressure of the centre. The values are those of elements of 0.0141 mm.
+do
+  local w = wear{ load = 100, stroke = 1, distance = 1e5, model = { lower = body.block{ k = 0 },
+    upper = body.cylinder{ radius = 10, k = 1e-8, layers = { { thickness = 3e-3, material = material{ E = 200e3, nu = 0.25, k = 1e-9 } } } } } }:run()
+  within(w.p_center, 41.43, 0.01, "coating exposed at the edges of a scar: pressure in the centre [MPa]")
+  within(w.depth_cylinder, 42.047e-3, 0.002, "coating exposed at the edges of a scar: depth [mm]")
+  within(w.volume_cylinder, 0.051445, 0.002, "coating exposed at the edges of a scar: volume [mm3]")
+end

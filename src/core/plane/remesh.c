@@ -106,12 +106,45 @@ static void set_rows(arc_model_def *def, double rows) {
   def->mesh.rows = (int)fmin(fmin(ceil(rows - 1e-9), ARC_SHAPE_MOST_ROWS), most);
 }
 
+/* Returns the width [mm] of the surface on each side of a scar whose wear depth is between `from`
+ * and `to`. Depths are linear between nodes. */
+static double width_between(const shape_side *side, double from, double to) {
+  double width = 0;
+  for (int i = 0; i + 1 < side->n; i++) {
+    const double a = fmin(side->h[i], side->h[i + 1]), b = fmax(side->h[i], side->h[i + 1]);
+    const double dx = side->settled[2 * (i + 1)] - side->settled[2 * i];
+    if (b > a) width += dx * fmax(0, fmin(b, to) - fmax(a, from)) / (b - a);
+  }
+  return width / 2;
+}
+
+/* Returns the largest element size [mm] that resolves the layers exposed at the edges of a scar
+ * that has worn through them. If they wear more slowly than the material below, they carry
+ * pressures several times higher than the centre. Returns INFINITY if no layer is worn through. */
+static double exposed_layer_size(const arc_wear *w) {
+  static const double exposed = 1.5; /* least number of elements in an exposed layer */
+  double least = INFINITY;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const shape_side *side = &w->shape->side[b];
+    const arc_body_def *body = &arc_model_definition(w->model)->body[b];
+    double above = 0;
+    for (int j = 0; j < arc_body_layers(body); j++) {
+      const double below = arc_body_interface(body, j);
+      const double width = width_between(side, above, below);
+      if (width > 0 && arc_shape_depth(w->shape, (arc_body)b) > below) least = fmin(least, width);
+      above = below;
+    }
+  }
+  return least / exposed;
+}
+
 static void coarsen(const arc_wear *w, arc_model_def *def) {
   arc_mesh_def *mesh = &def->mesh;
   const double fitted = arc_model_size_for(arc_wear_last(w)->half_width) / rich;
   const double ratio = sqrt(2), soon = sqrt(sqrt(ratio)); /* a slightly earlier change to larger
                                                              elements avoids another remeshing */
-  const double most = soon * fmin(fitted, arc_wear_rim_size(w) / 2);
+  const double most =
+      soon * fmin(fmin(fitted, arc_wear_rim_size(w) / 2), exposed_layer_size(w) / ratio);
   for (; mesh->fineness > 0 && mesh->size * mesh->fineness <= most; mesh->size *= ratio) {
     mesh->height *= ratio;
     set_rows(def, mesh->rows / ratio);
