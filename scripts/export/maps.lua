@@ -42,7 +42,7 @@ end
 local function list_of(where, given)
   if map.is(given) then return { given } end
   if type(given) ~= "table" or given[1] == nil then
-    check.fail(where, "expected a map or a list of maps, got " .. check.shown(given))
+    check.fail(where, ('expected a map or a list of maps, such as w:map("ball") in 3-D, got %s'):format(check.shown(given)))
   end
   local list, seen = {}, {}
   for i, t in ipairs(given) do

@@ -2,8 +2,9 @@
 -- values.
 
 -- Local copies of globals, because the user may overwrite any global.
-local error, load, print, rawget, rawset, select, type = error, load, print, rawget, rawset, select, type
-local table, string, io, os = table, string, io, os
+local error, load, print, rawget, rawset, select, tonumber, type = error, load, print, rawget, rawset,
+  select, tonumber, type
+local math, table, string, io, os = math, table, string, io, os
 local globals = _G
 
 local names = require "archard.names"
@@ -56,12 +57,24 @@ local function handed_on(head, expression)
   return head .. "return (function(...) return ... end)(" .. expression .. ended
 end
 
+local own_names = {} -- the globals that the program defines
+for name, value in pairs(globals) do own_names[name] = value end
+
 local noted_locals = false
 
-local function note_locals(text)
-  if noted_locals or not text:find("^%s*local%s") then return end
-  noted_locals = true
-  io.stderr:write("note: a local variable exists only in its chunk; omit 'local' to keep the value\n")
+-- Prints a note if a line is valid Lua that users from other programs do not expect.
+local function note_surprises(text)
+  local function note(...) io.stderr:write("note: ", string.format(...), "\n") end
+  if not noted_locals and text:find("^%s*local%s") then
+    noted_locals = true
+    note("a local variable exists only in its chunk; omit 'local' to keep the value")
+  end
+  local whole, part = text:match("^%s*[%a_][%w_.]*%s*=%s*(%-?%d+),(%d[%deE.+-]*)%s*$")
+  if whole then note("the value is %s: numbers have a decimal point, as in %s.%s", whole, whole, part) end
+  local name = text:match("^%s*([%a_][%w_]*)%s*=[^=]")
+  if name and own_names[name] ~= nil and rawget(globals, name) == own_names[name] then
+    note("%s was defined by the program, and is replaced for this session", name)
+  end
 end
 
 -- Converts short commands, as in IPython and Octave: ?name and name? show help, ? the overview, !command runs in the shell,
@@ -83,6 +96,18 @@ local function short_command(text)
   end
 end
 
+-- Returns a message if the text becomes complete with "()", which would otherwise wait for more lines:
+-- "w:run" and "x = 5 mm". Returns nil for other texts.
+local function refuse_without_call(text)
+  if not load(text .. "()", "", "t") then return nil end
+  local number, unit = text:match("([%d.]+)%s+([%a_][%w_]*)%s*$")
+  if number then
+    return ("numbers have no units: %s instead of %s %s (help \"units\")"):format(number, number, unit)
+  end
+  local method = text:match("([%w_.]+:[%w_]+)%s*$")
+  return method and ("a method is called with () or {}: %s()"):format(method)
+end
+
 -- Returns a hint for a text that is not Lua, with Lua's error message, or "".
 local function hint_for(text, message)
   local word = text:match "^%s*help%s+([%w_.:{}]+)%s*$"
@@ -91,6 +116,8 @@ local function hint_for(text, message)
   if next_field and text:find("{.*[^%s,{][ \t\n]+" .. next_field .. "%s*=") then
     return ("; a comma is missing before %s"):format(next_field)
   end
+  local number, unit = message:match "malformed number near '([%d.]+)(%a+)'$"
+  if number and not number:find("^0$") then return ("; numbers have no units: %s (help \"units\")"):format(number) end
   local object, field = text:match "([%a_][%w_.:]*)%s*[%(%[]%s*([%a_][%w_]*)%s*=[^=]"
   if object then return ("; fields are given in braces: %s{ %s = ... }"):format(object, field) end
   return ""
@@ -112,12 +139,29 @@ function prompt.compile(text, name, line)
   local as_statement
   chunk, as_statement = load_at(text, name, line)
   if chunk then
-    note_locals(text)
+    note_surprises(text)
     return chunk
   end
-  if is_open(as_statement, text) or is_open(as_expression, text) then return nil, nil end
+  if is_open(as_statement, text) or is_open(as_expression, text) then return nil, refuse_without_call(text) end
   local message = text:find("^%s*=") and as_expression or as_statement
   return nil, message .. hint_for(text, message)
+end
+
+-- Returns a syntax error with a hint. `text` is the chunk; if it is nil, `file` is the name of the script, of which
+-- the lines before the error are read.
+function prompt.explained(message, text, file)
+  local line = tonumber(message:match ":(%d+): ")
+  local opened = not text and line and io.open(file)
+  if opened then
+    local lines = {}
+    for each in opened:lines() do
+      lines[#lines + 1] = each
+      if #lines == line then break end
+    end
+    opened:close()
+    text = table.concat(lines, "\n", math.max(1, line - 20), #lines)
+  end
+  return message .. (text and hint_for(text, message) or "")
 end
 
 -- Shows the values of a chunk and stores the first one in the global `_`. A single string is shown page by

@@ -33,8 +33,8 @@ local plot = {
 return setmetatable(plot, {
   __call = function(_, given)
     if type(given) ~= "table" then
-      check.fail("plot", ("expected a table, plot{ {x=..., y=...}, ... }, got %s"):format(
-        check.shown(given)))
+      check.fail("plot", ("expected a table, plot{ {x=..., y=...}, ... }, got %s; help \"plot\" lists the functions "
+        .. "that draw objects, such as plot.profile"):format(check.shown(given)))
     end
     draw.draw("plot", given)
   end,

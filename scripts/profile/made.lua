@@ -86,8 +86,8 @@ local function usual_name(columns, name)
   for _, word in ipairs(usual[name]) do if columns[word] then return word end end
 end
 
--- Returns the values of a column in mm. A unit in the header of the file has priority over a unit given by
--- the user.
+-- Returns the values of a column in mm, and its name if its unit is unknown and mm is used. A unit in the header of
+-- the file has priority over a unit given by the user.
 local function in_mm(where, path, read, name, wanted, given)
   local found = math.type(wanted) == "integer" and read.order[wanted] or wanted
   local values = found and read.columns[found]
@@ -102,9 +102,15 @@ local function in_mm(where, path, read, name, wanted, given)
   if header and not lengths[header] then
     check.fail(where, ("%s: column %q: expected a unit of length, got %s"):format(path, found, header), "FORMAT")
   end
-  local unit, result = not header and unit_of(where, given, name) or "mm", {}
-  for i = 1, #values do result[i] = units.scaled(values[i], unit) end
-  return result
+  local unit, result = not header and unit_of(where, given, name), {}
+  for i = 1, #values do result[i] = units.scaled(values[i], unit or "mm") end
+  return result, not header and not unit and found
+end
+
+local function note_units(where, path, x, values)
+  if not x and not values then return end
+  warn(("%s: %s: no unit of %s, mm is used; another one is set by unit = \"um\" or { x = \"mm\", z = \"um\" }"):format(where, path,
+    table.concat({ x or values, x and values or nil }, " and ")))
 end
 
 local function read(path, given)
@@ -116,8 +122,9 @@ local function read(path, given)
   source.columns, source.units, source.order = csv.read(path)
   local name = given.h and "h" or not given.z and not usual_name(source.columns, "z")
     and usual_name(source.columns, "h") and "h" or "z"
-  local x = in_mm(where, path, source, "x", given.x or usual_name(source.columns, "x"), given.unit)
-  local values = in_mm(where, path, source, name, given[name] or usual_name(source.columns, name), given.unit)
+  local x, x_unknown = in_mm(where, path, source, "x", given.x or usual_name(source.columns, "x"), given.unit)
+  local values, unknown = in_mm(where, path, source, name, given[name] or usual_name(source.columns, name), given.unit)
+  note_units(where, path, x_unknown, unknown)
   return treated(where, profile.new(where, x, values, name, given.error, path), given)
 end
 

@@ -279,11 +279,14 @@ end
 
 -- --- opening -------------------------------------------------------------------------------------
 
+local openers = { wear = "wear.open", study = "study.open", joint = "joint.open" }
+
 local function check_kind(file, path)
-  local kind = file:info "kind"
+  local kind = tostring(file:info "kind")
   if kind ~= "session" then
-    check.fail("session.open", ("%s: expected a file of session.save, got a run file of kind %s"):format(
-      path, tostring(kind)), "FORMAT")
+    local opener = openers[kind] and ("; %s opens it"):format(openers[kind]) or ""
+    check.fail("session.open", ("%s: expected a file of session.save, got a run file of kind %s%s"):format(
+      path, kind, opener), "FORMAT")
   end
 end
 

@@ -121,9 +121,25 @@ static void set_arg_table(lua_State *L, const command *self) {
   lua_setglobal(L, "arg");
 }
 
+/* Prints the error of a chunk that could not be loaded, the top of the stack.
+ * scripts/lib/prompt.lua adds hints to syntax errors: `text` is the chunk, or NULL if it is the
+ * script `file`. */
+static run_status refuse_chunk(lua_State *L, int why, const char *text, const char *file) {
+  if (why == LUA_ERRSYNTAX) {
+    script_require(L, "archard.lib.prompt");
+    lua_getfield(L, -1, "explained");
+    lua_replace(L, -2);
+    lua_pushvalue(L, -2);
+    lua_pushstring(L, text);
+    lua_pushstring(L, file);
+    if (lua_pcall(L, 3, 1, 0) != LUA_OK) lua_pop(L, 1); /* without a hint */
+  }
+  return run_refused(L);
+}
+
 static run_status run_chunk(lua_State *L, const char *text) {
-  if (luaL_loadbuffer(L, text, strlen(text), "=(command line)") != LUA_OK) return run_refused(L);
-  return run_call(L, 0, 0);
+  const int loaded = luaL_loadbuffer(L, text, strlen(text), "=(command line)");
+  return loaded == LUA_OK ? run_call(L, 0, 0) : refuse_chunk(L, loaded, text, NULL);
 }
 
 static run_status run_module(lua_State *L, const char *name) {
@@ -158,7 +174,8 @@ static run_status run_script(lua_State *L, const command *self) {
   if (strcmp(name, "-") == 0) name = NULL;
   const char *mode = self->sandbox.wanted ? "t" : NULL;
   if (name && !may_read(L, self, name)) return run_refused(L);
-  if (luaL_loadfilex(L, name, mode) != LUA_OK) return run_refused(L);
+  const int loaded = luaL_loadfilex(L, name, mode);
+  if (loaded != LUA_OK) return name ? refuse_chunk(L, loaded, NULL, name) : run_refused(L);
   int count = self->argc - self->script - 1;
   luaL_checkstack(L, count, "too many arguments to the script");
   for (int i = 0; i < count; i++) lua_pushstring(L, self->argv[self->script + 1 + i]);

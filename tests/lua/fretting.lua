@@ -308,7 +308,7 @@ tap.holds(text, { "s = 0.1 mm, ", "30 N tangential, " }, "titles of runs show th
 ok(not text:find "s = 0 mm" and not text:find "[^3]0 N tangential", "titles show only the motion or force that drives the plate")
 text = picture(function(file) plot.loop(partial:loop(), { x = { 0, 1e-3 }, tangential = { 0, 1 }, energy = 1e-4, cycle = 0 }, { file = file }) end)
 tap.holds(text, { ("after %.6g cycles, "):format(partial.cycle), "unworn, " }, "loops of one run are named by their cycles")
-tap.holds(tostring(partial), "local slip", "slip of a run with friction")
+tap.holds(tostring(partial), "slip of each point", "slip of a run with friction")
 fails(function() plot.loop(plain) end, "without friction", "plot.loop of a run without friction")
 fails(function() plot.loop() end, "expected wear runs with friction", "plot.loop without an argument")
 fails(function() plot.loop(m) end, "expected wear runs with friction", "plot.loop of a model")

@@ -296,7 +296,7 @@ fails(function() export.vti({ own, own }, path "a.vti") end,
 fails(function() export.vti({ own, p }, path "a.vti") end,
   "item 2: expected the points of the first map, got 2 x 2 other points",
   "export.vti of maps with different points")
-fails(function() export.vti(3, path "a.vti") end, "expected a map or a list of maps, got 3",
+fails(function() export.vti(3, path "a.vti") end, "or a list of maps, such as w:map(\"ball\") in 3-D, got 3",
   "export.vti of a number")
 fails(function() export.vti(own, path "a.vtk") end,
   { "field 'path': expected a file name that ends in .vti", "a.vtk" },

@@ -323,6 +323,9 @@ local function warned_of(make)
   return warnings.take() or ""
 end
 local tilted = trace(-1.5, 1.5, 3001, function(x) return 2.7e-3 * x - shape(x) end, 2e-5)
+local without_units = rows("s,depth", 0, 4, 401, function(x) return x end)
+holds(warned_of(function() profile.read(without_units) end), "no unit of s and depth, mm is used", "a file without units gives a warning")
+is(warned_of(function() profile.read(without_units, { unit = "mm" }) end), "", "a stated unit gives none")
 local warned = warned_of(function() contact{ model = m, worn = { plate = tilted } } end)
 holds(warned, "tilted by 2.7 um/mm, 8.1 um over its length", "a tilted worn shape gives a warning")
 local level = tilted:average(0.04):level("line", "auto")

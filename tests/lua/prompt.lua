@@ -41,6 +41,11 @@ tap.holds(comma, "near 'k'; a comma is missing before k", "a field without a com
 _, comma = prompt.compile("x = (3 y)", "=name", 1)
 tap.ok(not comma:find "comma", "no hint of a comma in other texts")
 tap.is(message, "name:12: unexpected symbol near '='", "line numbers in messages start at the given line")
+local function message_of(text) return select(2, prompt.compile(text, "=name", 1)) end
+tap.is(message_of "w:run", "a method is called with () or {}: w:run()", "a method without parentheses does not wait for more lines")
+tap.holds(message_of "x = 5 mm", 'numbers have no units: 5 instead of 5 mm (help "units")', "a unit after a blank")
+tap.holds(message_of "x = 5mm", 'numbers have no units: 5 (help "units")', "a unit after a number")
+tap.is(message_of "for i = 1, 2 do\n  w:run", nil, "an open loop waits for more lines")
 
 -- --- values ------------------------------------------------------------------------------------
 

@@ -162,7 +162,7 @@ fails(function() session.save(path "w.archard") end, { "session.save", "w.archar
   "session.save does not replace a run file")
 is(wear.open(path "w.archard").update, 2, "the run file is unchanged")
 fails(function() session.save(path "none/s.archard") end, "session.save", "session.save to a missing folder")
-fails(function() session.open(path "w.archard") end, { "session.open", "expected a file of session.save, got a run file of kind wear" },
+fails(function() session.open(path "w.archard") end, { "session.open", "expected a file of session.save, got a run file of kind wear; wear.open opens it" },
   "session.open of a run file")
 fails(function() session.open(path "none") end, { "session.open", "none" }, "session.open of a missing file")
 fails(function() session.open(3) end, "expected the name of a file, got 3", "session.open of a number")

@@ -68,7 +68,8 @@ static arc_status check_motion(const arc_contact *from, const arc_motion_def *mo
   if (!motion->by_force) return status;
   if (!from->has_friction)
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'tangential': expected none, as the contact has no friction, got %g N",
+                    "field 'tangential': expected none, as the contact has no friction "
+                    "(contact{ friction = 0.3 } has), got %g N",
                     motion->tangential);
   const double carried = from->handle.def.friction * motion->load;
   if (fabs(motion->tangential) < carried) return ARC_OK;

@@ -218,7 +218,8 @@ arc_status arc_space_move(const arc_contact *from, const arc_motion_def *motion,
   }
   if (motion->by_force || motion->by_force_z || motion->z != 0)
     return arc_fail(error, ARC_ARGUMENT,
-                    "field '%s': expected none, as the contact has no friction, got %g",
+                    "field '%s': expected none, as the contact has no friction "
+                    "(contact{ friction = 0.3 } has), got %g",
                     motion->by_force     ? "tangential"
                     : motion->by_force_z ? "tangential_z"
                                          : "z",

@@ -30,7 +30,8 @@ static arc_status check_body(const arc_model_def *def, arc_body body, arc_error 
   if (!arc_body_is_spatial(&solid) && !arc_body_is_flat(&solid))
     return refuse(
         error, arc_model_role_name(body),
-        "a body.ball{}, body.map{} or body.block{} (use joint{} for a ball in its socket)");
+        "a body.ball{}, body.map{} or body.block{} (a flat pin is a map with rounded edges, a ball "
+        "in its socket a joint{})");
   if (own->width > 0)
     return refuse(error, body == ARC_LOWER ? "lower.width" : "upper.width",
                   "none: blocks have no width");

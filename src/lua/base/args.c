@@ -58,10 +58,11 @@ void args_unknown(lua_State *L, args_location location, const arc_setting *list,
   if (search.best)
     error_raise(L, ARC_ARGUMENT, location.where, "unknown field '%s%s' (did you mean '%s'%s?)",
                 location.prefix, name, search.best, names_relation(&search));
-  if (strcmp(name, "E") == 0 || strcmp(name, "nu") == 0)
+  if (strcmp(name, "E") == 0 || strcmp(name, "nu") == 0 || strcmp(name, "material") == 0)
     error_raise(L, ARC_ARGUMENT, location.where,
-                "unknown field '%s%s': it is a field of the material of a body", location.prefix,
-                name);
+                "unknown field '%s%s': it is a field of a body, as in model = { upper = "
+                "body.cylinder{ %s = ... } }",
+                location.prefix, name, name);
   error_raise(L, ARC_ARGUMENT, location.where, "unknown field '%s%s' (known: %s)", location.prefix,
               name, push_known(L, list));
 }
@@ -78,8 +79,9 @@ void args_refuse_position(lua_State *L, args_location location) {
 
 void args_check_table(lua_State *L, int index, const char *where) {
   if (lua_istable(L, index)) return;
-  error_raise(L, ARC_ARGUMENT, where, "expected a table of named fields, got %s",
-              names_push_shown(L, index));
+  error_raise(L, ARC_ARGUMENT, where,
+              "expected a table of named fields, got %s; help \"%s\" lists the fields",
+              names_push_shown(L, index), where);
 }
 
 void args_check_names(lua_State *L, int index, args_location location, const arc_setting *list) {

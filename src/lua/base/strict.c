@@ -91,6 +91,8 @@ static const char *elsewhere(const char *where, const char *name) {
       {"body", "socket", ": a ball in its socket is a joint{ cup = { clearance = 0.06 } }"}};
   for (size_t i = 0; i < sizeof list / sizeof *list; i++)
     if (strcmp(where, list[i][0]) == 0 && strcmp(name, list[i][1]) == 0) return list[i][2];
+  if (strcmp(name, "plot") == 0)
+    return "; help \"plot\" lists the functions that draw objects, such as plot.profile";
   return NULL;
 }
 

@@ -198,7 +198,8 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, double load
   args_get(L, 1, "model");
   if (box_test(L, -1, &model_class)) return box_check(L, -1, &model_class, where)->thing;
   if (!lua_isnil(L, -1) && !lua_istable(L, -1))
-    args_refuse(L, (args_location){where, ""}, "model", "a model object or a table of its fields");
+    args_refuse(L, (args_location){where, ""}, "model",
+                "a model object or a table of its fields, such as { mesh = \"pair.msh\" }");
   arc_model *kept = lua_isnil(L, -1) ? worn_given_model(L, worn) : NULL;
   if (kept) {
     lua_pop(L, 1);

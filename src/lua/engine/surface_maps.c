@@ -13,7 +13,7 @@ void model_check_meshed(lua_State *L, const arc_model *model, const char *where)
   if (arc_model_has_maps(arc_model_definition(model)))
     error_raise(L, ARC_ARGUMENT, where,
                 "expected bodies with meshes, got half-spaces (geometry = \"3-D\"), without "
-                "meshes");
+                "meshes; plot.map draws their maps, and export.vti writes them");
 }
 
 /* Coordinates of the grid points of a map: row i is at x[i * nz], column j at z[j]. */

@@ -194,10 +194,13 @@ static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
            show_load(wear, load, sizeof load), k_alpha);
   luaL_addstring(text, line);
   add_bodies(text, wear);
-  snprintf(line, sizeof line, "  settings  %s %s, %s, increments %s, %s, %s slip\n",
+  snprintf(line, sizeof line, "  settings  %s %s, %s, increments %s, %s, %s\n",
            arc_procedure_names[arc_wear_procedure(wear)], arc_scheme_names[settings->scheme], steps,
            show_increments(wear, increments, sizeof increments),
-           arc_geometry_names[settings->geometry], rubs ? "local" : arc_slip_names[settings->slip]);
+           arc_geometry_names[settings->geometry],
+           rubs                               ? "slip of each point by friction"
+           : settings->slip == ARC_SLIP_TOTAL ? "total slip"
+                                              : "rigid slip");
   luaL_addstring(text, line);
   add_others(text, settings);
 }
