@@ -121,15 +121,17 @@ typedef struct arc_loading {
   CHOICE(scheme, scheme, ARC_EXPLICIT, 0,                                                          \
          "How an update computes the wear: \"explicit\", from the pressures at its start; "        \
          "\"implicit\", from the pressures at its end, which allows longer steps (see order).")    \
-  QUANTITY(k, "mm2/N", 1e-8, FROM(0), ARC_FUNCTION | ARC_SERIES,                                   \
-           "Wear coefficient k of both bodies together: wear volume = k times load times sliding " \
-           "distance (Eq. 1). To convert from mm3/(N m), divide by 1000. k is divided between "    \
-           "the bodies by alpha (by default in halves), so set a coefficient that was measured "   \
-           "on one body as k_cylinder or k_plate. k can also be a function of the state (help "    \
-           "\"state\"), or a table that is interpolated linearly over the distance; two values "   \
-           "at the same distance define a jump, and an update ends there. Both are integrated "    \
-           "over each update. A function is evaluated at intervals shorter than a cycle or, in "   \
-           "runs of over 2000 cycles, than a 3000th of the run; shorter peaks may be missed.")     \
+  QUANTITY(                                                                                        \
+      k, "mm2/N", 1e-8, FROM(0), ARC_FUNCTION | ARC_SERIES,                                        \
+      "Wear coefficient k of both bodies together: wear volume = k times load times sliding "      \
+      "distance (Eq. 1). To convert from mm3/(N m), divide by 1000. k is divided between "         \
+      "the bodies by alpha (by default in halves). If the coefficient of one body was "            \
+      "measured, use k_cylinder or k_plate instead. k can also be a function of the state "        \
+      "(help \"state\"), or a table that is interpolated linearly over the distance; two "         \
+      "values at the same distance define a jump, and an update ends there. Functions and "        \
+      "tables are integrated over each update. A function is evaluated at intervals shorter "      \
+      "than a cycle or, in runs of over 2000 cycles, than a 3000th of the run; shorter peaks "     \
+      "may be missed.")                                                                            \
   QUANTITY(alpha, "", 0.5, WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                                \
            "Wear partition factor k_c / k (Eq. 19 of the paper): the upper body's (cylinder's) "   \
            "share of the wear volume. 0: only the plate wears, 1: only the cylinder (pin, ball) "  \
@@ -207,10 +209,10 @@ typedef struct arc_loading {
       "Coefficient of friction between the bodies: a number, a function of the state or a table "  \
       "over the distance; 0: no friction. With friction, wear and energy use the local slip: "     \
       "both strokes are solved with stick and slip, starting from newly pressed bodies, until "    \
-      "the cycle is periodic; the last cycle is used. With jump = \"auto\" and implicit updates "  \
-      "a change of the coefficient within an update is integrated; updates of a fixed number of "  \
-      "cycles use the mean. An update ends where a table jumps. Needs update = \"cycle\", the "    \
-      "default.")                                                                                  \
+      "the cycle is periodic; wear and energy are those of this cycle. With jump = \"auto\" and "  \
+      "implicit updates a change of the coefficient within an update is integrated; updates of a " \
+      "fixed number of cycles use the mean. An update ends where a table jumps. Needs update = "   \
+      "\"cycle\", the default.")                                                                   \
   CHOICE(                                                                                          \
       press, press, ARC_PRESS_FRICTION, 0,                                                         \
       "\"friction\": friction acts while the bodies are pressed together, as in contact{}; "       \

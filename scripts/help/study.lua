@@ -72,10 +72,10 @@ return {
       .. "which results no longer change. The element size is small enough if the unworn pressure agrees "
       .. "with Hertz' pressure at this size and at half of it, with at least eight elements across the "
       .. "contact. The jump is the largest one below the stability limit for which the surfaces remain "
-      .. "smooth and symmetric. The increments are the fewest that do not change the profiles. Accepts the "
-      .. "fields of study{} and the fields below, or a study and a table of the fields below; cases are "
-      .. "distributed to workers. For study.paper() it prints the paper's Table 1 next to the computed "
-      .. "values." },
+      .. "smooth and symmetric. The increments are the fewest that do not change the profiles. The cases "
+      .. "are defined by the fields of study{}, beside the fields below, or by a study: study.converge(s, { smooth = 0.01 "
+      .. "}). They are distributed to workers. For study.paper() it prints the table of increments and cycle jumps of "
+      .. "the paper (\"citation\") next to the computed values." },
   { "study.converge{base}", type = "table", text = "Fields of wear{} that all cases have in common, see "
     .. "study{base}." },
   { "study.converge{vary}", type = "table of lists", text = "Varied fields with their values, see study{vary}." },

@@ -121,9 +121,9 @@ return {
   { "profile.roughness", kind = "method", use = "p:roughness{ cutoff=0.8 }",
     text = "Profile parameters by ISO 21920-2 (names of ISO 4287), in mm: Ra, Rq, Rsk, Rku, Rt and the slope Rdq "
       .. "over the evaluation length; Rp, Rv, Rz as means over sections of one cut-off; RSm, the mean width of "
-      .. "elements higher and deeper than a tenth of Rz (NaN for fewer than two). The mean line is computed by the "
-      .. "Gaussian filter; half a cut-off at both ends is excluded. The field noise equals p.error; Rq^2 includes "
-      .. "noise^2." },
+      .. "the profile elements, each a peak and a valley of more than a tenth of Rz (NaN for fewer than two). The mean "
+      .. "line is computed by the Gaussian filter; half a cut-off at both ends is excluded. The field noise is the "
+      .. "measurement noise p.error, which is contained in Rq: the surface alone has sqrt(Rq^2 - noise^2)." },
   { "profile.roughness{cutoff}", type = "number > 0, or false", unit = "mm", default = 0.8,
     text = "Cut-off of long waves. false: no cut-off; the results are then Pa, Pq, ... about a straight line." },
   { "profile.roughness{short}", type = "number > 0", unit = "mm", text = "Cut-off of short waves; default: none." },
@@ -399,8 +399,9 @@ return {
       .. "load) for Abaqus and CalculiX: both bodies, supports, contact pair, load and output requests. "
       .. "CalculiX runs it with ccx path (without ending). The bodies are one element thick and fixed along "
       .. "z. Their elements are C3D8 (C3D8I for CPE4I), and C3D6 for triangles. As nu approaches 1/2, C3D6 "
-      .. "is stiffer than the triangles of the model. Only plane strain is possible. For other models, "
-      .. "single meshes can be written: CPS4, or CAX4 for one half of the section, with the radius as x." },
+      .. "is stiffer than the triangles of the model. A pair of bodies needs plane strain. In plane stress and for bodies "
+      .. "of revolution, m.mesh.plate:write(path) writes a mesh alone, with CPS4 elements, or with CAX4 elements for "
+      .. "one half of the section, with the radius as x." },
   { "export.msh", kind = "function", use = "export.msh(m, path)",
     text = "Writes a model or mesh as a Gmsh file (4.1, text, mm), with the physical groups that model{ mesh = "
       .. "path } reads: upper is the cylinder, lower the plate, upper.layer1 the first layer of the cylinder. "

@@ -178,7 +178,7 @@ function pictures.map(object, options, more)
     given.vlabel, given.title = "wear depth / " .. unit_of(t), "wear of the " .. t.name
   end
   if joint then
-    given.xlabel, given.ylabel = "x, anterior / mm", "z, along the axis of flexion / mm"
+    given.xlabel, given.ylabel = "x (anterior) / mm", "z (flexion axis) / mm"
   end
   local rim = joint and t.name ~= "head" and flat.rim(joint)
   if rim and reaches(rim, given) then

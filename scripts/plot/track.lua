@@ -40,7 +40,7 @@ return function(g, options)
     path.series = number == 1 and 1 or 2
     given[number] = path
   end
-  given.xlabel, given.ylabel, given.equal = "x / mm, anterior", "z / mm, along the axis of flexion", true
+  given.xlabel, given.ylabel, given.equal = "x (anterior) / mm", "z (flexion axis) / mm", true
   given.title = ("%s: paths of points of the head over the cup"):format(g.name)
   draw.draw(where, draw.over(given, options))
 end

@@ -286,7 +286,7 @@ static arc_status check_space(const arc_model_def *def, arc_error *error) {
   return arc_fail(
       error, ARC_ARGUMENT,
       "field 'geometry': expected \"plane strain\" for a deck of both bodies, which is a "
-      "slab fixed along z, got \"%s\"; the mesh of a single body can be exported",
+      "slab fixed along z, got \"%s\"; m.mesh.plate:write(path) writes a single mesh",
       arc_space_names[def->geometry]);
 }
 

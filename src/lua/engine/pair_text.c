@@ -27,8 +27,12 @@ static void show_body(const arc_model_def *model, arc_body body, char *text, siz
   const arc_body_def solid = arc_model_solid(model, body);
   const double radius = fabs(arc_body_radius(&solid));
   const char *name = model->body[body].name, *kind = arc_solid_names[solid.kind];
-  char shape[60];
-  snprintf(shape, sizeof shape, isfinite(radius) ? "%s of radius %.6g mm" : "%s", kind, radius);
+  char shape[90];
+  if (solid.radius_z > 0 && solid.radius_z != solid.radius)
+    snprintf(shape, sizeof shape, "%s of radii %.6g mm and %.6g mm along z", kind, radius,
+             solid.radius_z);
+  else
+    snprintf(shape, sizeof shape, isfinite(radius) ? "%s of radius %.6g mm" : "%s", kind, radius);
   snprintf(text, size, name[0] ? "%.31s (%s)" : "%.31s%s", name, shape);
 }
 
@@ -38,7 +42,7 @@ static int is_usual(const arc_model_def *model) {
 }
 
 const char *pair_show(const arc_model_def *model, char *text, size_t size) {
-  char part[ARC_BODIES][110];
+  char part[ARC_BODIES][140];
   snprintf(text, size, "radius %.6g mm", model->radius);
   if (is_usual(model)) return text;
   for (int b = 0; b < ARC_BODIES; b++) show_body(model, (arc_body)b, part[b], sizeof part[b]);

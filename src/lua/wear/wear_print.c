@@ -224,21 +224,23 @@ static void add_state(luaL_Buffer *text, const arc_wear *wear) {
   const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
   const char *upper = body_name(model, ARC_UPPER), *lower = body_name(model, ARC_LOWER);
   const int means = arc_wear_definition(wear)->track > 0 && !arc_model_has_maps(model);
-  char line[800], partition[40] = "none yet", peak[60] = "", at[80];
+  char line[800], partition[40] = "none yet", peak[60] = "", at[80], across[60] = "";
   if (record->update > 0 && isfinite(record->p_peak))
     snprintf(peak, sizeof peak, ", in a cycle %.2f", record->p_peak);
   if (isfinite(record->depth_partition))
     snprintf(partition, sizeof partition, "%.4f", record->depth_partition);
+  if (arc_model_has_maps(model))
+    snprintf(across, sizeof across, " along x, %.6g mm along z", record->half_width_z);
   show_peak(wear, at, sizeof at);
   snprintf(line, sizeof line,
            "  done      cycle %.6g of %.6g, distance %.6g of %.6g mm, %.0f update%s\n"
            "  pressure  centre %.2f, largest %.2f%s%s MPa\n"
-           "  width     half %.6g mm\n"
+           "  width     half %.6g mm%s\n"
            "  depth     %s %.4e mm, %s %.4e mm%s; alpha-tilde %s\n"
            "  volume    %s %.4e mm3, %s %.4e mm3, total %.4e mm3",
            record->cycle, arc_wear_cycles(wear), record->distance,
            arc_wear_definition(wear)->distance, record->update, record->update == 1 ? "" : "s",
-           record->p_center, record->p_max, at, peak, record->half_width, upper,
+           record->p_center, record->p_max, at, peak, record->half_width, across, upper,
            record->depth_cylinder, lower, record->depth_plate,
            means ? " (mean over its track)" : "", partition, upper, record->volume_cylinder, lower,
            record->volume_plate, record->volume_cylinder + record->volume_plate);
