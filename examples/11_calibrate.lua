@@ -30,12 +30,13 @@ local course = calibrate{
       { 0.079e-3, 0.183e-3, 0.318e-3, 0.541e-3, 0.752e-3, 1.035e-3 } } },
 }
 print(course)
-local band = course.band.k
+local band, ends = course.band.k, { 0, 60, 150, 300, 600, 900, 1320 }
 local range = { x = {}, y = {}, style = "filled", series = 2, title = "range of its mean" } -- lower limits, then upper limits backwards
-for i, d in ipairs(band.distance) do range.x[i], range.y[i] = d, band.low[i] end
-for i = #band.distance, 1, -1 do
-  range.x[#range.x + 1], range.y[#range.y + 1] = band.distance[i], band.high[i]
+local function add(i, value)
+  range.x[#range.x + 1], range.y[#range.y + 1] = ends[i], value
 end
+for i, low in ipairs(band.low) do add(i, low) add(i + 1, low) end
+for i = #band.high, 1, -1 do add(i + 1, band.high[i]) add(i, band.high[i]) end
 plot{ range, { x = course.k.distance, y = course.k.value, title = "k", style = "lines", series = 1 },
   xlabel = "distance / mm", ylabel = "k / (mm²/N)" }
 

@@ -20,6 +20,13 @@ local function band_of(x, low, high, factor)
   return area
 end
 
+-- Returns true if the band is wider than the line of the model, at a line width of a 200th of the vertical range.
+local function is_visible(low, high, range)
+  local widest = 0
+  for i = 1, #low do widest = math.max(widest, high[i] - low[i]) end
+  return widest > (range[2] - range[1]) / 100
+end
+
 -- Returns the label of the vertical axis and the factor from the unit of the data to the unit of the label.
 local function label_of(item)
   if item.kind == "loop" then
@@ -82,14 +89,17 @@ local function main_panel(item)
     colour = #x > few and "#808080" or "black", series = 1, title = "data" }
   local first, second = model, data
   if #x > few then first, second = data, model end
-  return {
-    band_of(x, item.low, item.high, factor),
+  local range = range_of(scaled(item.low, factor), scaled(item.high, factor),
+    scaled(ends_of(item, -1), factor), scaled(ends_of(item, 1), factor))
+  local panel = {
     first, second,
     title = item.brief or naming.word_of(item.title), ylabel = label, xlabel = name,
-    ydown = item.x and true or nil, xrange = range_of(x),
-    yrange = range_of(scaled(item.low, factor), scaled(item.high, factor),
-      scaled(ends_of(item, -1), factor), scaled(ends_of(item, 1), factor)),
+    ydown = item.x and true or nil, xrange = range_of(x), yrange = range,
   }
+  if is_visible(scaled(item.low, factor), scaled(item.high, factor), range) then
+    table.insert(panel, 1, band_of(x, item.low, item.high, factor))
+  end
+  return panel
 end
 
 local function residual_panel(item)
@@ -99,7 +109,7 @@ local function residual_panel(item)
   return { { x = range, y = { 0, 0 }, colour = "grey" },
     { x = x, y = item.residual, style = "points", colour = "black", series = 1 },
     xrange = range, yrange = { -most, most },
-    ylabel = "residual / error", xlabel = name }
+    ylabel = "residual in standard errors", xlabel = name }
 end
 
 local function curve_panel(name, curve)

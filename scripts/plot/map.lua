@@ -45,12 +45,13 @@ end
 
 local function label_of(t)
   local unit = unit_of(t)
-  return (unit == "" or unit == "-") and t.name or ("%s / %s"):format(t.name, unit)
+  local name = t.name == "depth" and "wear depth" or t.name:gsub("cross shear", "cross-shear")
+  return (unit == "" or unit == "-") and name or ("%s / %s"):format(name, unit)
 end
 
 -- Returns the map as a list of coloured quadrilaterals with map points as corners, from the last row to the
--- first. position(i, j): returns x and y of a map point in the picture; covers(x, z): returns true if the
--- quadrilateral with this centre is drawn (default: all).
+-- first. position(i, j): returns x and y of a map point in the picture; covers(x, z, most): returns true if the
+-- quadrilateral with this centre and this largest value is drawn (default: all).
 local function field_of(t, position, covers)
   local field, n, nz = { x = {}, y = {}, value = {} }, 0, #t.z
   local _, scale = unit_of(t)
@@ -61,7 +62,9 @@ local function field_of(t, position, covers)
   end
   for j = nz - 1, 1, -1 do
     for i = 1, #t.x - 1 do
-      if not covers or covers(0.5 * (t.x[i] + t.x[i + 1]), 0.5 * (t.z[j] + t.z[j + 1])) then
+      local at = (i - 1) * nz + j
+      local most = math.max(t.y[at], t.y[at + 1], t.y[at + nz], t.y[at + nz + 1])
+      if not covers or covers(0.5 * (t.x[i] + t.x[i + 1]), 0.5 * (t.z[j] + t.z[j + 1]), most) then
         add(i, j)
         add(i + 1, j)
         add(i + 1, j + 1)
@@ -78,13 +81,15 @@ local map_words = check.one_of{ "depth", "height", "pressure" }
 local function is_joint_run(object) return strict.is(object, "joint_wear") end
 local function is_of_joint(object) return is_joint_run(object) or strict.is(object, "joint_contact") end
 
--- Returns a function(x, z) that returns true if this position of a joint's map is drawn. It must lie on the
--- hemisphere around the load direction and, except on maps of the head, on the cup.
-local function cover_of(joint, of_head)
-  local covers = of_head and function() return true end or flat.cover(joint.cup)
-  return function(x, z)
+-- Returns a function(x, z, most) that returns true if this position of a joint's map is drawn. It must lie on the
+-- hemisphere around the load direction and, except on maps of the head, on the cup. Where nothing slides there is
+-- no cross-shear; its map is blank there.
+local function cover_of(joint, t)
+  local covers = t.name == "head" and function() return true end or flat.cover(joint.cup)
+  local blank = t.name == "cross shear" and has_values(t)
+  return function(x, z, most)
     local n = flat.direction(joint.head.radius, x, z)
-    return n ~= nil and covers(n)
+    return n ~= nil and covers(n) and not (blank and most == 0)
   end
 end
 
@@ -171,7 +176,7 @@ function pictures.map(object, options, more)
   options = draw.options(where, options, map_options)
   local t, body = map_of(where, object, options)
   local joint = is_of_joint(object) and object.model
-  local given = pictures.panel(t, joint and cover_of(joint, t.name == "head"))
+  local given = pictures.panel(t, joint and cover_of(joint, t))
   if type(object) == "userdata" and options.what ~= "height" and has_values(t) then given.xrange, given.yrange = ranges_of(t) end
   if body then given.title = naming.title_of(("%s of the %s"):format(t.name, body), { object }, options) end
   if is_joint_run(object) and (t.name == "cup" or t.name == "head") then

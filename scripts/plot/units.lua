@@ -95,10 +95,12 @@ end
 
 local raised = { [0] = "⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹" }
 
--- Returns a label with a power of ten, such as "k / 10⁻⁸ (mm²/N)".
+-- Returns a label with a power of ten, such as "volume / 10⁻⁴ mm³" or "k / (10⁻⁸ mm²/N)".
 function units.with_power(label, exponent)
   local digits = ("%d"):format(exponent):gsub("%d", function(digit) return raised[tonumber(digit)] end):gsub("-", "⁻")
   local what, unit = label:match "^(.-) / (.*)$"
+  local compound = unit and unit:match "^%((.*)%)$"
+  if compound then return ("%s / (10%s %s)"):format(what, digits, compound) end
   return what and ("%s / 10%s %s"):format(what, digits, unit) or ("%s / 10%s"):format(label, digits)
 end
 
@@ -108,7 +110,7 @@ function units.with_powers(figure, name)
   local reaches, result = {}, merged(figure)
   local function is_plain(panel)
     local axis = panel[name]
-    return axis.label and not axis.log and not axis.places and not panel.field and not axis.label:find " / 10"
+    return axis.label and not axis.log and not axis.places and not panel.field and not axis.label:find " / %(?10"
   end
   for _, panel in ipairs(figure.panels) do
     local label = panel[name].label

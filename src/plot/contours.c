@@ -1,5 +1,6 @@
 /* Samples fields (polygons with values at their corners) on a grid, and computes contour lines. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "plot/figure.h"
@@ -81,9 +82,10 @@ typedef struct numbers {
   const arc_plot_box *box;
   corner placed[MOST_NUMBERS];
   int count;
-  double step;  /* difference between adjacent levels */
-  double least; /* minimum distance of a number to the frame, lines and other numbers */
-  corner best;  /* best position for the number of the present level */
+  double step;        /* difference between adjacent levels */
+  double least;       /* minimum distance of a number to the frame, lines and other numbers */
+  double row, column; /* height and width of a character */
+  corner best;        /* best position for the number of the present level */
   double clearance;
 } numbers;
 
@@ -107,12 +109,38 @@ static double clearance_of(const numbers *n, corner p) {
   return least;
 }
 
-static size_t contour_triangle(const corner t[3], double level, numbers *n, arc_text *script) {
-  corner points[3];
+/* Computes the ends of the contour line in a triangle. Returns 0 if the line does not cross it. */
+static int segment_of(const corner t[3], double level, corner points[3]) {
   int count = 0;
   if (twice_area(t) == 0) return 0;
   for (int k = 0; k < 3; k++) count += cut(t[k], t[(k + 1) % 3], level, &points[count]);
-  if (count != 2) return 0;
+  return count == 2;
+}
+
+/* Returns true if the contour line is not hidden by its number, the best position of which is
+ * known: it extends beyond an area of 1.5 times the width and height of the number. */
+static int is_larger_than_number(const arc_plot_field *field, double level, const numbers *n) {
+  const double width = n->box->x1 - n->box->x0, height = n->box->y1 - n->box->y0;
+  char text[32];
+  const int length = snprintf(text, sizeof text, "%.6g", level);
+  const double half_x = 0.75 * (length + 1) * n->column * width, half_y = n->row * height;
+  for (size_t i = 0; i < field->count; i++)
+    for (int part = 0; part < TRIANGLES && touches(field, i, n->box); part++) {
+      corner t[3], p[3];
+      int inside[3];
+      triangle_of(field, i, part, t);
+      if (!segment_of(t, level, p)) continue;
+      p[2] = (corner){(p[0].x + p[1].x) / 2, (p[0].y + p[1].y) / 2, level};
+      for (int k = 0; k < 3; k++)
+        inside[k] = fabs(p[k].x - n->best.x) < half_x && fabs(p[k].y - n->best.y) < half_y;
+      if ((inside[0] || inside[1] || inside[2]) && !(inside[0] && inside[1])) return 1;
+    }
+  return 0;
+}
+
+static size_t contour_triangle(const corner t[3], double level, numbers *n, arc_text *script) {
+  corner points[3];
+  if (!segment_of(t, level, points)) return 0;
   arc_text_format(script, "%.17g %.17g\n", points[0].x, points[0].y);
   arc_text_format(script, "%.17g %.17g\n\n", points[1].x, points[1].y);
   const corner middle = {(points[0].x + points[1].x) / 2, (points[0].y + points[1].y) / 2, level};
@@ -131,16 +159,21 @@ static size_t contour_level(const arc_plot_field *field, double level, numbers *
       triangle_of(field, i, part, t);
       segments += contour_triangle(t, level, n, script);
     }
-  if (n->clearance > n->least && n->count < MOST_NUMBERS) n->placed[n->count++] = n->best;
+  if (n->clearance > n->least && n->count < MOST_NUMBERS && is_larger_than_number(field, level, n))
+    n->placed[n->count++] = n->best;
   return segments;
 }
 
 size_t arc_field_contours(const arc_plot_field *field, const arc_plot_box *box,
-                          const double range[2], int levels, double rows, arc_text *lines,
+                          const double range[2], int levels, const double size[2], arc_text *lines,
                           arc_text *labels) {
   size_t segments = 0;
   double step = arc_field_step(range, levels);
-  numbers n = {.box = box, .step = step, .least = fmax(0.04, 1.3 / rows)};
+  numbers n = {.box = box,
+               .step = step,
+               .least = fmax(0.04, 1.3 / size[0]),
+               .row = 1 / size[0],
+               .column = 1 / size[1]};
   double first = step * (floor(range[0] / step + 1e-9) + 1);
   int count = levels > 0 ? (int)ceil((range[1] - first) / step - 1e-9) : 0;
   for (int k = 0; k < count; k++) segments += contour_level(field, first + k * step, &n, lines);

@@ -204,11 +204,12 @@ void arc_field_range(const arc_plot_panel *panel, const arc_plot_box *box, doubl
 double arc_field_step(const double range[2], int levels);
 
 /* Writes contour lines as rows of segments, and their numbers as rows x, y, value. Each contour
- * line has at most one number. The distance of a number from the frame and from the next contour
- * line or number is at least 1.3 text rows; `rows` is the height of the frame in text rows. Returns
- * the number of segments. */
+ * line has at most one number, and none if the number would hide the line. The distance of a number
+ * from the frame and from the next contour line or number is at least 1.3 text rows; `size`
+ * contains the height [text rows] and the width [characters] of the box. Returns the number of
+ * segments. */
 size_t arc_field_contours(const arc_plot_field *field, const arc_plot_box *box,
-                          const double range[2], int levels, double rows, arc_text *lines,
+                          const double range[2], int levels, const double size[2], arc_text *lines,
                           arc_text *labels);
 
 /* Samples the field at the centres of a grid of columns x rows equal cells in the box. The first

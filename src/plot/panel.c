@@ -188,22 +188,30 @@ double arc_panel_right(const arc_writer *w, const arc_plot_panel *panel, double 
  * field. Pictures in characters do not use these settings. */
 static void ground_words(arc_writer *w, const arc_plot_panel *panel) {
   if (w->canvas->text) return;
-  arc_text_word(w->out, panel->field ? "unset grid\nset border 15\n"
-                                     : "set border 3\nset grid linecolor rgb '#e4e4e4' "
-                                       "linewidth 0.7 linetype 1\n");
+  arc_text_word(w->out, panel->field
+                            ? "unset grid\nset border 15\nset xtics out\nset ytics out\n"
+                            : "set border 3\nset xtics in\nset ytics in\n"
+                              "set grid linecolor rgb '#e4e4e4' linewidth 0.7 linetype 1\n");
 }
 
 /* --- field ------------------------------------------------------------------------------------ */
+
+static const double slim = 0.5; /* width of a character divided by the height of a row */
+
+/* Returns the height of the drawn box [rows], which is lower than its frame if the axes have equal
+ * scales. */
+static double rows_of(const arc_plot_panel *panel, const arc_plot_box *box,
+                      const arc_plot_frame *frame) {
+  const double fitting = slim * frame->columns * (box->y1 - box->y0) / (box->x1 - box->x0);
+  return panel->equal ? fmin(frame->rows, fitting) : frame->rows;
+}
 
 /* Returns the distance between the numbers of a colour scale as high as the box, without contour
  * lines. Returns 0 if gnuplot chooses the distance. */
 static double scale_step(const arc_writer *w, const arc_plot_panel *panel, const arc_plot_box *box,
                          const arc_plot_frame *frame, const double range[2]) {
   static const double enough = 14; /* [rows] from this height on gnuplot chooses the distance */
-  static const double wide = 0.5;  /* width of a character divided by the height of a row */
-  double rows = frame->rows;
-  if (panel->equal)
-    rows = fmin(rows, wide * frame->columns * (box->y1 - box->y0) / (box->x1 - box->x0));
+  const double rows = rows_of(panel, box, frame);
   return rows < enough ? arc_field_step(range, (int)fmax(0, ticks_in_rows(w, rows) - 2)) : 0;
 }
 
@@ -324,9 +332,11 @@ static size_t contour_block(arc_writer *w, size_t number, const arc_plot_box *bo
   const arc_plot_panel *panel = &w->figure->panels[number];
   if (!panel->field || w->canvas->text) return 0;
   arc_text labels = {0};
+  const double rows = rows_of(panel, box, frame);
+  const double across = rows / slim * (box->x1 - box->x0) / (box->y1 - box->y0);
+  const double size[2] = {rows, panel->equal ? across : frame->columns};
   arc_text_format(w->out, "$k%zu << END\n", number);
-  size_t count =
-      arc_field_contours(panel->field, box, range, panel->levels, frame->rows, w->out, &labels);
+  size_t count = arc_field_contours(panel->field, box, range, panel->levels, size, w->out, &labels);
   arc_text_format(w->out, "END\n$n%zu << END\n", number);
   if (labels.length > 0) arc_text_add(w->out, labels.data, labels.length);
   arc_text_word(w->out, "END\n");

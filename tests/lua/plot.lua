@@ -71,7 +71,7 @@ do
   plot { x = { 0, 1 }, y = { 1e-8, 2e-9 }, file = folder .. "/b.gp" }
   has(read "b.gp", "set format y '%.0t×10^{%T}'", "an axis without a label has powers of ten at its numbers")
   plot { x = { 1, 2e6 }, y = { 1e-8, 2e-9 }, xlabel = "cycles", ylabel = "k / (mm²/N)", logx = true, file = folder .. "/b.gp" }
-  has(read "b.gp", { 'set xlabel "cycles"', 'set ylabel "k / 10⁻⁸ (mm²/N)"' }, "a logarithmic axis is not divided")
+  has(read "b.gp", { 'set xlabel "cycles"', 'set ylabel "k / (10⁻⁸ mm²/N)"' }, "a logarithmic axis is not divided")
   local margins = {}
   for left in script:gmatch("set lmargin at screen ([%d.]+)\nset rm") do
     margins[#margins + 1] = tonumber(left)

@@ -174,6 +174,17 @@ do
   refused(function() plot.mesh(7) end, "expected a model", "plot.mesh of a number")
   refused(function() plot.mesh(model_, { zoom = { 5, 6, 5, 6 } }) end, "no element lies in",
     "a zoom without elements")
+  local x, peak, wide = {}, {}, {}
+  for i = 1, 101 do x[i] = (i - 51) / 50 end
+  for i, a in ipairs(x) do
+    for k, b in ipairs(x) do
+      peak[(i - 1) * 101 + k], wide[(i - 1) * 101 + k] = math.exp(-(a ^ 2 + b ^ 2) / 4e-3), math.exp(-(a ^ 2 + b ^ 2))
+    end
+  end
+  for _, each in ipairs{ { peak, false, "no number hides a small contour line" }, { wide, true, "large contour lines have numbers" } } do
+    plot.map(map{ x = x, z = x, y = each[1], unit = "MPa" }, { file = folder .. "/n.gp" })
+    ok((read("n.gp"):find("$n0 << END\nEND", 1, true) == nil) == each[2], each[3])
+  end
   refused(function() plot.mesh(model_, { zom = 1 }) end, "did you mean 'zoom'", "a misspelt option")
 end
 
