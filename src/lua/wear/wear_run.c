@@ -20,8 +20,8 @@ static lua_Number next_update(const arc_wear *wear) {
 static void refuse_interrupted(lua_State *L, const arc_wear *wear) {
   char text[120];
   const arc_wear_record *last = arc_wear_last(wear);
-  snprintf(text, sizeof text, "cycle %.10g, %.6g of %.6g mm, w:run() continues", last->cycle, last->distance,
-           arc_wear_definition(wear)->distance);
+  snprintf(text, sizeof text, "cycle %.10g, %.6g of %.6g mm, w:run() continues", last->cycle,
+           last->distance, arc_wear_definition(wear)->distance);
   interrupt_raise(L, text);
 }
 
