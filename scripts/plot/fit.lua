@@ -14,17 +14,17 @@ local where = "plot.fit"
 
 local scaled = shapes.scaled
 
-local function band_of(x, low, high, factor)
+local function band_of(fit, x, low, high, factor)
   local area = shapes.area(x, low, high, factor)
-  area.title = "band"
+  area.title = ("%g %% band"):format(100 * fit.confidence)
   return area
 end
 
--- Returns true if the band is wider than the line of the model, at a line width of a 200th of the vertical range.
+-- Returns true if the band is wider than the line of the model, with a line width of a 200th of the vertical range.
 local function is_visible(low, high, range)
   local widest = 0
   for i = 1, #low do widest = math.max(widest, high[i] - low[i]) end
-  return widest > (range[2] - range[1]) / 100
+  return widest > (range[2] - range[1]) / 50
 end
 
 -- Returns the label of the vertical axis and the factor from the unit of the data to the unit of the label.
@@ -77,13 +77,22 @@ local function loop_panel(item)
   }
 end
 
+-- Returns the curve of the model: the history of the run with the identified values, or the values at the data
+-- points if the history does not contain the quantity.
+local function model_of(item, run, x)
+  local fine, history = pcall(function() return { distance = run.history.distance, value = run.history[item.of] } end)
+  if item.kind ~= "series" or #x == 1 or not fine or not history.value then return x, item.model end
+  return history.distance, history.value
+end
+
 local few = 40 -- with more data points than this, the model is drawn over the data
 
-local function main_panel(item)
+local function main_panel(item, fit)
   if item.kind == "loop" then return loop_panel(item) end
   local label, factor = label_of(item)
   local x, name = across(item)
-  local model = { x = x, y = scaled(item.model, factor), series = 1, title = "model",
+  local model_x, model_y = model_of(item, fit.wear, x)
+  local model = { x = model_x, y = scaled(model_y, factor), series = 1, title = "model",
     style = #x == 1 and "points" or "lines" }
   local data = { x = x, y = scaled(item.value, factor), error = scaled(item.error, factor), style = "points",
     colour = #x > few and "#808080" or "black", series = 1, title = "data" }
@@ -97,7 +106,7 @@ local function main_panel(item)
     ydown = item.x and true or nil, xrange = range_of(x), yrange = range,
   }
   if is_visible(scaled(item.low, factor), scaled(item.high, factor), range) then
-    table.insert(panel, 1, band_of(x, item.low, item.high, factor))
+    table.insert(panel, 1, band_of(fit, x, item.low, item.high, factor))
   end
   return panel
 end
@@ -112,8 +121,8 @@ local function residual_panel(item)
     ylabel = "residual in standard errors", xlabel = name }
 end
 
-local function curve_panel(name, curve)
-  return { band_of(curve.distance, curve.low, curve.high, 1),
+local function curve_panel(fit, name, curve)
+  return { band_of(fit, curve.distance, curve.low, curve.high, 1),
     { x = curve.distance, y = curve.value, series = 1, title = "fit", style = "lines" },
     title = naming.word_of(name) .. " over the distance", xlabel = naming.axis_of("distance"), ylabel = naming.axis_of(name) }
 end
@@ -141,7 +150,7 @@ end
 local function of_fit(fit)
   local above, below, figure = {}, {}, { panels = {} }
   for _, item in ipairs(drawn(fit.data)) do
-    above[#above + 1], below[#below + 1] = main_panel(item), residual_panel(item)
+    above[#above + 1], below[#below + 1] = main_panel(item, fit), residual_panel(item)
   end
   share_ranges(above)
   share_ranges(below)
@@ -154,7 +163,7 @@ end
 local function of_curves(fit)
   local figure, names = { panels = {} }, keys(fit.band)
   if #names == 0 then check.fail(where, "curves=true: this fit has no unknown with knots") end
-  for i, name in ipairs(names) do figure.panels[i] = curve_panel(name, fit.band[name]) end
+  for i, name in ipairs(names) do figure.panels[i] = curve_panel(fit, name, fit.band[name]) end
   return figure
 end
 

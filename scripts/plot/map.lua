@@ -50,8 +50,8 @@ local function label_of(t)
 end
 
 -- Returns the map as a list of coloured quadrilaterals with map points as corners, from the last row to the
--- first. position(i, j): returns x and y of a map point in the picture; covers(x, z, most): returns true if the
--- quadrilateral with this centre and this largest value is drawn (default: all).
+-- first. position(i, j): returns x and y of a map point in the picture; covers(x, z, least): returns true if the
+-- quadrilateral with this centre and this smallest value is drawn (default: all).
 local function field_of(t, position, covers)
   local field, n, nz = { x = {}, y = {}, value = {} }, 0, #t.z
   local _, scale = unit_of(t)
@@ -63,8 +63,8 @@ local function field_of(t, position, covers)
   for j = nz - 1, 1, -1 do
     for i = 1, #t.x - 1 do
       local at = (i - 1) * nz + j
-      local most = math.max(t.y[at], t.y[at + 1], t.y[at + nz], t.y[at + nz + 1])
-      if not covers or covers(0.5 * (t.x[i] + t.x[i + 1]), 0.5 * (t.z[j] + t.z[j + 1]), most) then
+      local least = math.min(t.y[at], t.y[at + 1], t.y[at + nz], t.y[at + nz + 1])
+      if not covers or covers(0.5 * (t.x[i] + t.x[i + 1]), 0.5 * (t.z[j] + t.z[j + 1]), least) then
         add(i, j)
         add(i + 1, j)
         add(i + 1, j + 1)
@@ -81,15 +81,15 @@ local map_words = check.one_of{ "depth", "height", "pressure" }
 local function is_joint_run(object) return strict.is(object, "joint_wear") end
 local function is_of_joint(object) return is_joint_run(object) or strict.is(object, "joint_contact") end
 
--- Returns a function(x, z, most) that returns true if this position of a joint's map is drawn. It must lie on the
+-- Returns a function(x, z, least) that returns true if this position of a joint's map is drawn. It must lie on the
 -- hemisphere around the load direction and, except on maps of the head, on the cup. Where nothing slides there is
 -- no cross-shear; its map is blank there.
 local function cover_of(joint, t)
   local covers = t.name == "head" and function() return true end or flat.cover(joint.cup)
   local blank = t.name == "cross shear" and has_values(t)
-  return function(x, z, most)
+  return function(x, z, least)
     local n = flat.direction(joint.head.radius, x, z)
-    return n ~= nil and covers(n) and not (blank and most == 0)
+    return n ~= nil and covers(n) and not (blank and least == 0)
   end
 end
 
