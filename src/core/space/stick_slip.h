@@ -32,6 +32,15 @@ typedef struct stick_slip_count {
                    and slip */
 } stick_slip_count;
 
+/* A cell that carries shear in a Newton step, with symmetric matrices as xx, xz and zz: the
+ * projection onto its free directions (x and z if it sticks, the tangent if it slips), and this
+ * projection divided by the operator's diagonal. */
+typedef struct stick_slip_site {
+  int cell;
+  double free[3], inverse[3];
+  double slip; /* slip divided by the friction limit, 0 if the cell sticks */
+} stick_slip_site;
+
 /* Initial values, results and workspace of a stick-slip solution. */
 typedef struct stick_slip_work {
   double *q[2];            /* [window] shear [MPa]; input and output */
@@ -44,7 +53,8 @@ typedef struct stick_slip_work {
       *a[2];     /* residual, preconditioned residual, search direction, operator times direction */
   space_box box; /* box of the cells that may carry shear; outside this box `a` is 0 during the
                     solution */
-  int *site, sites; /* list and number of cells that carry shear in the present Newton step */
+  stick_slip_site *site; /* [sites] cells that carry shear in the present Newton step */
+  int sites;
   double *block;
 } stick_slip_work;
 
