@@ -6,8 +6,8 @@
 -- is a field of the definition table of wear{}, and "wear{loading.x}" is a field of a table inside that
 -- table.
 
-local debug, next, print, rawget, select, string, table, type =
-  debug, next, print, rawget, select, string, table, type
+local debug, ipairs, next, print, rawget, select, string, table, type =
+  debug, ipairs, next, print, rawget, select, string, table, type
 
 local names = require "archard.names"
 local pager = require "archard.lib.pager"
@@ -287,21 +287,47 @@ local function nearest(name)
   return names.nearest(name, known) or names.nearest(name:match("[^.]+$") or name, known)
 end
 
--- Returns a text: the first of the entries found, and a list of the others. Returns nil without an entry.
-local function first_of(found)
+-- Returns the paragraphs of a text that contain all words of a phrase or, without such a paragraph, its last word. Also
+-- returns the number of all paragraphs.
+local function paragraphs_with(phrase, text)
+  local all, chosen = {}, {}
+  local joined = text:gsub("\n\n  ", "\n\0  ") -- an example belongs to the paragraph before it
+  for paragraph in (joined .. "\n\n"):gmatch "(.-)\n\n+" do all[#all + 1] = paragraph:gsub("%z", "\n") end
+  for _, words in ipairs{ phrase, phrase:match "%S+%s*$" } do
+    for _, paragraph in ipairs(all) do
+      if search.contains(words, paragraph) then chosen[#chosen + 1] = paragraph end
+    end
+    if chosen[1] then break end
+  end
+  return chosen, #all
+end
+
+-- Returns the entry of a long topic with only those of its paragraphs that are about `name`; the entry itself if it is
+-- short or of another kind, or if no or all paragraphs are.
+local function part_of(entry, name)
+  local long = 1000 -- [characters]
+  if entry.kind ~= "topic" or #entry.text < long then return entry end
+  local parts, count = paragraphs_with(name, entry.text)
+  if not parts[1] or #parts == count then return entry end
+  return { address = entry.address, name = entry.name, kind = "topic",
+    text = ("%s\n\nhelp %q shows the whole topic."):format(table.concat(parts, "\n\n"), entry.name) }
+end
+
+-- Returns a text: the first of the entries found for `name`, and a list of the others. Returns nil without an entry.
+local function first_of(found, name)
   local best, others = found[1], {}
   if not best then return nil end
   for i = 2, #found do
     if found[i].owner ~= best.address then others[#others + 1] = found[i] end
   end
-  local text = show.entry(help, best)
+  local text = show.entry(help, part_of(best, name))
   return others[1] and text .. "\n\n" .. show.others(others, 5) or text
 end
 
 -- Returns the help text for a synonym, such as "roughness", or nil. Also returns the entries that the search finds.
 local function explain_synonym(name)
   local found, sure, meant = help.matches(name)
-  return meant and first_of(table.move(found, 1, sure, 1, {})), found, sure
+  return meant and first_of(table.move(found, 1, sure, 1, {}), name), found, sure
 end
 
 -- Returns the help text of a name. A synonym has priority over fields and methods of this name. If no entry has the name,
@@ -316,7 +342,7 @@ local function explain_name(name)
     for i, entry in ipairs(found) do texts[i] = show.entry(help, entry) end
     return table.concat(texts, "\n\n")
   end
-  local text = #search.words(name) > 1 and first_of(search.answers(everything(), name))
+  local text = #search.words(name) > 1 and first_of(search.answers(everything(), name), name)
   if text then return text end
   local meant, sure
   meant, found, sure = explain_synonym(name)

@@ -48,6 +48,11 @@ local function contains(words, text, whole)
   return true
 end
 
+-- Returns true if a text contains all words of a phrase, with any endings.
+function search.contains(phrase, text)
+  return contains(search.words(phrase), text, false)
+end
+
 -- Returns the rank of an entry, or nil if the entry does not contain the words. 1: its name is the phrase;
 -- 2: it is a topic or an example that contains the words; 3: its address contains them; 4: its text contains
 -- them; 5 to 7: as 2 to 4, but with parts of words.

@@ -7,7 +7,8 @@ for i, column in ipairs(require "archard.settings".columns) do columns[i] = colu
 return {
   -- --- csv ------------------------------------------------------------------------------------
   { "csv", kind = "object", use = 'csv.read("measured.csv")',
-    text = "csv.read reads tables of numbers from text files: measured loadings, profiles, coefficients. To "
+    text = "csv.read reads tables of numbers from text files: wear{ loading=csv.read(path) } with columns t (0 to 1), x "
+      .. "and load, or coefficients over the distance. gait.read reads the motion of a joint, profile.read a trace. To "
       .. 'write a table use export.csv, for example export.csv(w:profile("plate"), "plate.csv").' },
   { "csv.read", kind = "function", use = 'csv.read(path, { t="time [s]", x="position" })',
     text = "Reads (imports) columns of numbers from a text file. The first line has the names of the columns; "
@@ -281,8 +282,8 @@ return {
       .. "partial slip and gross slip, their borders, and a mark for each computed condition. In terminals without "
       .. "pictures the areas are not drawn. Accepts the options of plot{}, such as logx=true." },
   { "plot.profile", kind = "function", takes = "plot", values = { "cylinder", "plate" },
-    use = 'plot.profile(w1, ..., "plate")',
-    text = "Draws wear depths in um against x; default: of both bodies. plot.profile(p1, p2, ...) draws "
+    use = 'plot.profile(w1, w2, "plate", { titles={ "new", "old" } })',
+    text = "Draws the wear depths of one or several runs in um against x; default: of both bodies. plot.profile(p1, p2, ...) draws "
       .. "measured profiles: heights, or depths after p:depth(). Accepts the options of plot{}." },
   { "plot.profile{body}", values = { "cylinder", "plate" }, text = "Body whose profiles are drawn." },
   { "plot.profile{titles}", type = "list of strings", text = "Names of the curves in the key." },

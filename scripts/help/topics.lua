@@ -248,15 +248,24 @@ To start a run with measured surfaces:
 The bodies are then used in model{ upper=, lower= }; body.map needs geometry = "3-D". fit{ data= } finds k and alpha from profiles and
 maps. Files of .x3p and .gwy are not read; save them as .sdf or .gsf. See examples "measured_profile", "rough_ball", "fit_scar".]] },
 
+  { "wear rate", [[
+A run computes wear volumes and depths; plot.history(w, "volume_plate") draws a volume over the distance, and w.history has all columns.
+The rate is a difference of two updates; for the volume of the plate in mm3 per mm of sliding:
+
+  d, v = w.history.distance, w.history.volume_plate
+  for i = 2, #d do print(d[i], (v[i] - v[i - 1]) / (d[i] - d[i - 1])) end
+
+Divided by the load it is k, the specific wear rate in mm2/N: 1e-8 mm2/N = 1e-5 mm3/(N m). plot{ { x=..., y=... } } draws such lists.]] },
   { "continue", [[
-Ctrl-C stops a run after its present step, and w:run() continues it. To continue in another session:
+At the prompt, Ctrl-C stops a run after its present step, and w:run() continues it. A script is ended by Ctrl-C or killed; what it
+did not save is lost. To continue in another session:
 
   w:save("run.archard")              -- writes the run to a file
   w = wear.open("run.archard")       -- later: reads it
   w:run()                            -- continues with the same results
   w:run{ cycles=20000 }              -- continues a finished run
 
-A run is stored only by w:save. To store it regularly, for example each 1000 cycles:
+A run is stored only by w:save. To store it regularly, in a script too, for example each 1000 cycles:
 
   for n = 1000, 20000, 1000 do w:run{ cycles=n } w:save("run.archard") end
 
@@ -273,6 +282,7 @@ exists only in its own input. Tab completes names and fields; the arrow keys rec
   clear                     clears the screen
   w = nil                   deletes an object
   Ctrl-C                    stops a run after its step; w:run() continues it
+                            (a script is ended)
   Ctrl-D   quit   exit      exits, after a question if results are not saved
 
 There is no undo: w2 = w:clone() before a change keeps the state of a run, w:set changes fields, and session.save stores all objects.
@@ -300,21 +310,27 @@ Bodies are linear elastic with small strains; each body and layer has E and nu. 
 material{ E=3600, nu=0.4, name="PEEK" }; there is no library of materials.
 
 Plastic flow is not simulated, also not at the peaks of rough surfaces, and causes no warning: compare the largest von Mises stress
-with the yield stress (help "contact.stress"). A plasticity index is not computed. Not simulated either are debris and third bodies,
-lubrication, heat and temperature, creep (except as a function in joint{}), viscoelastic and anisotropic materials, adhesion, seizure
-and scuffing, cracks and fatigue (exported stresses can be used in criteria such as SWT or Dang Van). Known effects on wear can be
-included in k: a number for each body, a function of distance, or local_factor, a function of pressure and position. k is a measured
-value for abrasive or adhesive wear. Forces of inertia and impacts are not simulated. Results depend on sliding distance, not on
-speed or frequency; therefore PV limits are not predicted. In 3-D, each layer wears with its own k, and the compliance is computed
-for the unworn layers.
+with the yield stress (help "contact.stress"). A plasticity index is not computed.
+
+Not simulated are debris and third bodies, lubrication, humidity, heat and temperature, adhesion, seizure and scuffing. Known effects
+on wear can be included in k: a number for each body, a function of distance, or local_factor, a function of pressure and position. k
+is a measured value for abrasive or adhesive wear. In 3-D, each layer wears with its own k, and the compliance is computed for the
+unworn layers.
+
+Not simulated are creep (except as a function in joint{}), viscoelastic and anisotropic materials, cracks and fatigue (exported
+stresses can be used in criteria such as SWT or Dang Van).
+
+Results depend on sliding distance, not on speed or frequency; therefore PV limits are not predicted. Forces of inertia and impacts
+are not simulated.
 
 Rolling is not simulated. For gears, cams and rolling bearings, one point of the surface can be computed: a cylinder on a plate with
 radius = 1/(1/R1 + 1/R2), the load at this point, and as stroke the distance by which the surfaces slide while it is in contact.
 
 Bodies in 3-D are half-spaces: the contact must be small compared with the radii. A half width above a fifth of the radius causes a warning. For
 conforming bodies use joint{} (a ball in a socket) or a pin in a bush in 2-D: examples "pin_in_bush". Bodies do not tilt under
-load; a misaligned flat or roller is a sloping profile, body.profile{ y=function(x) return 1e-3 * x end }. Ra, Rq and other
-parameters of profiles are computed (profile.roughness), but no areal parameters such as Sq. There is no generator
+load; a misaligned flat or roller (edge loading) is a sloping profile, body.profile{ y=function(x) return 1e-3 * x end }.
+
+Ra, Rq and other parameters of profiles are computed (profile.roughness), but no areal parameters such as Sq. There is no generator
 of random rough surfaces; a function y(x, z) in map{} can add waves, as in examples "rough_ball".
 
 Wear is a volume in mm3: the mass loss divided by the density. For example, 1 mg of steel (7.85 g/cm3) is 0.127 mm3. Convert a measured

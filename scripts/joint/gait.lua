@@ -51,7 +51,7 @@ end
 
 return setmetatable(module, { __call = function(_, given, options)
   if type(given) ~= "string" then
-    if options ~= nil then check.fail("gait", "expected one table, gait{ flexion=, load=, increments= }, got a second argument") end
+    if options ~= nil then check.fail("gait", "expected one table, gait{ flexion=, load=, increments= }, got a second argument; gait.read(path) reads a file") end
     return given_gait.read(given)
   end
   options = check.definition("gait", options or {}, { increments = check.count })

@@ -236,6 +236,8 @@ static int next_line(prompt *self) {
 
 void repl_run(lua_State *L) {
   prompt self = {L, {NULL, 0}};
+  lua_pushboolean(L, 1);
+  lua_setfield(L, LUA_REGISTRYINDEX, INTERRUPT_PROMPT);
   edit_start(complete, &self);
   push_text(L, "banner");
   fputs(lua_tostring(L, -1), isatty(STDOUT_FILENO) ? stdout : stderr);

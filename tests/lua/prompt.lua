@@ -216,7 +216,11 @@ tap.ok(#help.find("alpha") >= 2, "help finds all entries of a name")
 tap.holds(help.text("strok"), 'did you mean "stroke"', "help proposes the nearest name")
 tap.holds(help.text(nil), "nil", "help of nil")
 tap.holds(tostring(help), "archard simulates", "print(help) shows the overview")
-for word, start in pairs{ roughness = "p:roughness{", friction = "fretting\n", ["?"] = "prompt\n", undo = "prompt\n",
+for word, start in pairs{ roughness = "measured surface\n", ["plane stress"] = "model{geometry}",
+  compare = "plot.profile(", ["wear rate over time"] = "wear rate\n", ["save figure"] = "plot.save(", cores = "wear{workers}", friction = "fretting\n", ["?"] = "prompt\n", undo = "prompt\n",
   thermal = "limits\n", ["2D"] = "model{geometry}", ["wear.roughness"] = "w:roughness", jump = "wear{jump}" } do
   tap.is(help.text(word):sub(1, #start), start, ("help %q begins with the best entry"):format(word))
 end
+tap.holds(help.text "rolling", "limits\n\n  Rolling is not simulated", "a word shows its paragraph of a long topic")
+tap.holds(help.text "rolling", 'help "limits" shows the whole topic', "with the way to the others")
+tap.ok(not help.text("limits"):find("shows the whole topic", 1, true), "the topic's own name shows all paragraphs")

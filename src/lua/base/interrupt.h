@@ -32,6 +32,10 @@ int interrupt_pending(void *context);
  * run, followed by ": interrupted". Later errors of this request repeat the message. */
 void interrupt_raise(lua_State *L, const char *progress);
 
+/* Key of a registry value that is true while the prompt runs, where an interrupted run can be
+ * continued. */
+#define INTERRUPT_PROMPT "archard.prompt"
+
 /* Sets a text that replaces `progress` in the errors of interrupt_raise, such as the progress of a
  * search over many runs. The text applies until the next call or interrupt_clear. An empty text
  * ends the replacement. */

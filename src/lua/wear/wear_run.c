@@ -20,8 +20,11 @@ static lua_Number next_update(const arc_wear *wear) {
 static void refuse_interrupted(lua_State *L, const arc_wear *wear) {
   char text[120];
   const arc_wear_record *last = arc_wear_last(wear);
-  snprintf(text, sizeof text, "cycle %.10g, %.6g of %.6g mm, w:run() continues", last->cycle,
-           last->distance, arc_wear_definition(wear)->distance);
+  lua_getfield(L, LUA_REGISTRYINDEX, INTERRUPT_PROMPT);
+  const char *after = lua_toboolean(L, -1) ? ", w:run() continues" : "";
+  lua_pop(L, 1);
+  snprintf(text, sizeof text, "cycle %.10g, %.6g of %.6g mm%s", last->cycle, last->distance,
+           arc_wear_definition(wear)->distance, after);
   interrupt_raise(L, text);
 }
 
