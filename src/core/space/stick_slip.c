@@ -179,7 +179,7 @@ static int carrying(const stick_slip_problem *p) {
 static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char *fresh,
                           stick_slip_count *count, arc_error *error) {
   enum { most_sets = 60, patience = 25 };
-  static const double few = 0.03, unsettled = 0.1, settled = 0.01;
+  static const double few = 0.03, unsettled = 0.1, settled = 3e-4;
   const int cells = carrying(p);
   double missed, each[2];
   for (int pass = 0; pass < most_sets; pass++) {
