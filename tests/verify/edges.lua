@@ -4,7 +4,7 @@
 
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
-local below = figures.below
+local below, within = figures.below, figures.within
 
 for _, size in ipairs{ 0.02, 0.01 } do
   local m, worst = model{ mesh = { size = size, height = 1.25 * size } }, 0
@@ -40,4 +40,14 @@ for _, case in ipairs{ { alpha = 0, stroke = 0.22, mean = 0.04, most = 0.08 },
     case.stroke)
   below(math.sqrt(sum / #coarse), case.mean, what .. "r.m.s. over the run")
   below(worst, case.most, what .. "largest")
+end
+
+-- Tests that the meshes that follow the wear of a pin stay fine enough for its rounded edges. The values are those of
+-- elements of 0.02 mm.
+do
+  local w = wear{ load = 100, slide = "z", track = 20, distance = 20e6, model = { geometry = "axisymmetric", lower = body.block{ width = 40, height = 10, k = 0 },
+    upper = body.punch{ flat = 4, radius = 0.5, height = 10, material = material{ E = 3600, nu = 0.4, k = 1e-9 } } } }:run()
+  within(w.half_width, 2.3166, 0.01, "worn pin with rounded edges: half width [mm]")
+  within(w.p_center, 5.866, 0.003, "worn pin with rounded edges: pressure in the centre [MPa]")
+  within(w.depth_cylinder, 0.12810, 0.001, "worn pin with rounded edges: depth [mm]")
 end

@@ -245,6 +245,10 @@ enum { fewest = 4 }; /* smallest number of elements in a contact, or in one of i
  * elements the errors of the pressure were 3 % to 4 %. */
 static const double least_of_spot = 3;
 
+/* Largest number of elements in the half width for which a finer mesh is suggested. Models with
+ * such meshes are built within half a minute. */
+static const double most_elements = 250;
+
 /* Warns if the spots or the sharp edges of the unworn contact have too few elements. The
  * pressure peaks are 6 % too low with three elements in an edge, and 16 % with two elements. */
 static void warn_edges(const arc_model *m, double load, const arc_callbacks *callbacks) {
@@ -258,10 +262,13 @@ static void warn_edges(const arc_model *m, double load, const arc_callbacks *cal
              "them",
              e.spot, least_of_spot, size, e.spot / 5);
   if (e.edge >= 0.5 * e.half_width || e.edge >= fewest * size) return;
+  char advice[60] = "a mesh that resolves them would be too large";
+  if (e.half_width < most_elements * arc_model_size_for(e.edge))
+    snprintf(advice, sizeof advice, "mesh.size = %.2g resolves them", arc_model_size_for(e.edge));
   arc_warn(callbacks,
            "pressure rises over %.2g mm at the edges of the contact, fewer than %d elements of %g "
-           "mm: its peaks there are too low; mesh.size = %.2g resolves them",
-           e.edge, fewest, size, arc_model_size_for(e.edge));
+           "mm: its peaks there are too low until wear widens the edges; %s",
+           e.edge, fewest, size, advice);
 }
 
 /* Returns the height of a body's surface at the node nearest to position s [mm]. */

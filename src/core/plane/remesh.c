@@ -2,6 +2,7 @@
  * coarser, and the worn surfaces are interpolated. The new meshes depend only on the state of
  * the run, so a stored run that is continued has the same meshes. */
 #include "core/base/callbacks.h"
+#include "core/elastic/contact_estimate.h"
 #include "core/plane/cycle.h"
 
 #include <math.h>
@@ -138,13 +139,22 @@ static double exposed_layer_size(const arc_wear *w) {
   return least / exposed;
 }
 
+/* Returns the element size [mm] with which an unworn contact with equally wide edges would be
+ * meshed. The edges of a flat body with rounded edges are the parts of the contact beside its flat
+ * face; those of other bodies are as wide as half of the contact. */
+static double edge_size(const arc_wear *w) {
+  const contact_estimate unworn = arc_model_estimate(arc_model_definition(w->model), w->def.load);
+  const double edge = arc_wear_last(w)->half_width - unworn.flat / 2;
+  return arc_model_size_for(fmax(unworn.edge, edge));
+}
+
 static void coarsen(const arc_wear *w, arc_model_def *def) {
   arc_mesh_def *mesh = &def->mesh;
   const double fitted = arc_model_size_for(arc_wear_last(w)->half_width) / rich;
   const double ratio = sqrt(2), soon = sqrt(sqrt(ratio)); /* a slightly earlier change to larger
                                                              elements avoids another remeshing */
-  const double most =
-      soon * fmin(fmin(fitted, arc_wear_rim_size(w) / 2), exposed_layer_size(w) / ratio);
+  const double edges = fmin(edge_size(w), exposed_layer_size(w)) / ratio;
+  const double most = soon * fmin(fmin(fitted, arc_wear_rim_size(w) / 2), edges);
   for (; mesh->fineness > 0 && mesh->size * mesh->fineness <= most; mesh->size *= ratio) {
     mesh->height *= ratio;
     set_rows(def, mesh->rows / ratio);
