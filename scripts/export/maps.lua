@@ -3,6 +3,7 @@
 
 local axis = require "archard.map.axis"
 local check = require "archard.lib.check"
+local decimal = require "archard.export.decimal"
 local files = require "archard.files"
 local gsf = require "archard.map.gsf"
 local joint_history = require "archard.joint.history"
@@ -158,25 +159,51 @@ end
 
 local function is_lattice(t) return type(t) == "table" and rawget(t, "theta") and rawget(t, "phi") and rawget(t, "values") end
 
--- Lua function export.csv(object, path): writes a CSV file and returns its path. This function writes maps
--- over x and z, maps over theta and phi, the table of a study, the history of a joint's run, and the pressure
--- of a joint's contact. archard.files writes all other objects.
-function maps.csv(...)
-  local t, path = ...
+-- Writes a CSV file and returns its path. This function writes maps over x and z, maps over theta and phi, the table of
+-- a study, the history of a joint's run, and the pressure of a joint's contact. archard.files writes all other objects.
+local function write_csv(t, path, ...)
   if strict.is(t, "joint_wear") then
     local columns, units = joint_history(t)
-    return written.returned("export.csv", files.csv(columns, path, units))
+    return files.csv(columns, path, units)
   end
   local lattice = strict.is(t, "joint_contact") and t.pressure or is_lattice(t) and t
   if lattice then
     local columns, units = lattice_of(lattice)
-    return written.returned("export.csv", files.csv(columns, path, units))
+    return files.csv(columns, path, units)
   end
   local is_study = check.shown(t) == "a study object"
-  if not is_study and not map.is(t) then return written.returned("export.csv", files.csv(...)) end
+  if not is_study and not map.is(t) then return files.csv(t, path, ...) end
   path = checked_path("export.csv", path, ".csv")
   files.write("export.csv", path, is_study and t:table{ format = "csv" } .. "\n" or csv_of(t))
-  return written.returned("export.csv", path)
+  return path
+end
+
+-- Separates the option `decimal` from the units of the columns in the third argument of export.csv. Returns true if it
+-- is a comma, and the units or nothing. Only tables of lists have units.
+local function split_options(t, given)
+  if type(given) ~= "table" then return false, given end
+  local units = {}
+  for name, value in pairs(given) do
+    if name ~= "decimal" then units[name] = value end
+  end
+  if given.decimal ~= nil and given.decimal ~= "," and given.decimal ~= "." then
+    check.refuse("export.csv", "decimal", '"." or ","', given.decimal)
+  end
+  local has_units = next(units) ~= nil
+  if has_units and (check.shown(t) ~= "a table" or is_lattice(t)) then
+    check.fail("export.csv", ("unknown field '%s' (known: decimal)"):format(tostring((next(units)))))
+  end
+  return given.decimal == ",", has_units and units or nil
+end
+
+-- Lua function export.csv(object, path, { decimal= }) or, for a table of lists, export.csv(t, path, { x = "mm", decimal= }):
+-- writes a CSV file and returns its path.
+function maps.csv(...)
+  local t, path, given = ...
+  local has_commas, units = split_options(t, given)
+  local paths = table.pack(write_csv(t, path, units))
+  for i = 1, has_commas and paths.n or 0 do decimal("export.csv", paths[i]) end
+  return written.returned("export.csv", table.unpack(paths, 1, paths.n))
 end
 
 return maps

@@ -50,6 +50,14 @@ end
 ok(same, "history: the values are identical to the bit")
 
 local c = w:contact()
+export.csv({ x = { 1.5, 2 }, y = { 1e-9, 3 } }, at "comma.csv", { x = "mm", decimal = "," })
+do
+  local text = io.open(at "comma.csv"):read "a"
+  is(text, "x [mm];y\n1,5;1e-09\n2;3\n", "decimal commas and semicolons")
+  is(csv.read(at "comma.csv").x[1], 1.5, "which csv.read reads")
+  fails(function() export.csv(w, at "comma.csv", { separator = ";" }) end, "unknown field 'separator' (known: decimal)", "an unknown option")
+  fails(function() export.csv(w, at "comma.csv", { decimal = ";" }) end, 'field \'decimal\': expected "." or ","', "another decimal sign")
+end
 export.csv(c, at "pressure.csv")
 columns = read_csv "pressure.csv"
 is(select(3, read_csv "pressure.csv"), "x_cylinder [mm],p_cylinder [MPa],x_plate [mm],p_plate [MPa]",
