@@ -163,6 +163,10 @@ arc_status arc_model_build(const arc_model_def *def, arc_model **model, arc_erro
  * expected and the actual value), ARC_GEOMETRY. */
 arc_status arc_model_check(const arc_model_def *def, arc_error *error);
 
+/* Warns of Young's moduli that are probably in another unit: below 500 MPa (GPa meant) and above
+ * that of diamond (Pa meant). */
+void arc_model_warn_moduli(const arc_model_def *def, const arc_callbacks *callbacks);
+
 /* Builds a model like arc_model_build, with callbacks that report its progress and can stop it
  * (ARC_STOPPED). */
 arc_status arc_model_build_with_callbacks(const arc_model_def *def, const arc_callbacks *callbacks,

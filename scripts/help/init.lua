@@ -306,14 +306,15 @@ end
 -- short or of another kind, or if no or all paragraphs are.
 local function part_of(entry, name)
   local long = 1000 -- [characters]
-  if entry.kind ~= "topic" or #entry.text < long then return entry end
+  if not name or entry.kind ~= "topic" or #entry.text < long then return entry end
   local parts, count = paragraphs_with(name, entry.text)
   if not parts[1] or #parts == count then return entry end
   return { address = entry.address, name = entry.name, kind = "topic",
     text = ("%s\n\nhelp %q shows the whole topic."):format(table.concat(parts, "\n\n"), entry.name) }
 end
 
--- Returns a text: the first of the entries found for `name`, and a list of the others. Returns nil without an entry.
+-- Returns a text: the first of the entries found, and a list of the others. Only paragraphs about `name` of a long topic
+-- are shown; nil shows all. Returns nil without an entry.
 local function first_of(found, name)
   local best, others = found[1], {}
   if not best then return nil end
@@ -338,6 +339,7 @@ local function explain_name(name)
   if #found > 0 then
     local text = found[1].owner and not name:find("[.{:]") and explain_synonym(name)
     if text then return text end
+    if found[1].kind == "topic" then return first_of(found) end
     local texts = {}
     for i, entry in ipairs(found) do texts[i] = show.entry(help, entry) end
     return table.concat(texts, "\n\n")
@@ -363,7 +365,7 @@ function help.text(...)
   local address = help.address_of(value)
   if address and entries[address] then return show.entry(help, entries[address]) end
   if value == nil then return "no help for nil: no value has this name; check its spelling" end
-  return ("no help for this %s; help() lists all names"):format(type(value))
+  return ("no help for this %s; help \"p_max\" explains a field by its name, help() lists all names"):format(type(value))
 end
 
 -- Prints a list of all topics, entries and examples that contain the words of `text`.

@@ -370,7 +370,8 @@ return {
       .. "wrong ending is refused, and a missing one is appended." },
   { "export.csv", kind = "function", use = "export.csv(obj, path)",
     text = "Writes columns of numbers under a line of names and units: the history of a run, the pressures of a "
-      .. 'contact (with friction also shear and slip), or a table of lists, with units in a third argument { x="mm" }. '
+      .. 'contact (with friction also shear and slip), the table of a study, or a table of lists, with units in a third argument { x="mm" }. { decimal="," } there writes '
+      .. 'decimal commas and semicolons. '
       .. 'For the worn surface of a run use export.csv(w:profile("plate"), path). A stress is written to two files, '
       .. "path-cylinder.csv and path-plate.csv. A map is written with one line per point: x, z and the value. "
       .. "Returns the names of the files." },

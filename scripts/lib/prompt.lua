@@ -7,6 +7,7 @@ local error, load, print, rawget, rawset, select, tonumber, type = error, load, 
 local math, table, string, io, os = math, table, string, io, os
 local globals = _G
 
+local csv_units = require "archard.lib.csv_units"
 local names = require "archard.names"
 local pager = require "archard.lib.pager"
 local term = require "archard.term"
@@ -115,6 +116,11 @@ local function hint_for(text, message)
   local next_field = message:match "expected near '([%a_][%w_]*)'$" or message:match "to close '{' at line %d+%) near '([%a_][%w_]*)'$"
   if next_field and text:find("{.*[^%s,{][ \t\n]+" .. next_field .. "%s*=") then
     return ("; a comma is missing before %s"):format(next_field)
+  end
+  for amount, word in text:gmatch "(%d[%d.eE+-]*)%s+(%a[%w]*)" do
+    if csv_units.known(word) and word ~= "in" then
+      return ("; numbers have no units: %s instead of %s %s (help \"units\")"):format(amount, amount, word)
+    end
   end
   local number, unit = message:match "malformed number near '([%d.]+)(%a+)'$"
   if number and not number:find("^0$") then return ("; numbers have no units: %s (help \"units\")"):format(number) end

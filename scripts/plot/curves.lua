@@ -40,7 +40,7 @@ local function split(where, mark, own, ...)
     end
   end
   if #objects == 0 then
-    check.fail(where, ("expected at least one object with .%s, got none"):format(mark))
+    check.fail(where, ("expected at least one object with .%s, got %s"):format(mark, words[1] and check.shown(words[1]) or "none"))
   end
   return objects, words, draw.options(where, options, own)
 end

@@ -91,6 +91,9 @@ end
 local function in_mm(where, path, read, name, wanted, given)
   local found = math.type(wanted) == "integer" and read.order[wanted] or wanted
   local values = found and read.columns[found]
+  if not values and wanted then
+    check.fail(where, ("%s: no column %s; the columns are %s"):format(path, check.shown(wanted), table.concat(keys(read.columns), ", ")))
+  end
   if not values then
     check.fail(where, ("%s: no column for '%s'; the columns are %s: give its name, %s=\"...\""):format(path, name,
       table.concat(keys(read.columns), ", "), name))

@@ -3,6 +3,7 @@
 -- (study/volumes.lua). Measured depths need repeated simulations (study/depths.lua).
 
 local check = require "archard.lib.check"
+local k_doubt = require "archard.lib.k_doubt"
 local depths = require "archard.study.depths"
 local merged = require "archard.lib.merged"
 local statistics = require "archard.lib.statistics"
@@ -264,5 +265,7 @@ return function(given)
   if given.depth and type(given.distance) == "table" then
     check.refuse(where, "distance", "a number > 0, as 'depth' is given", given.distance)
   end
-  return setmetatable(find(given), class)
+  local found = setmetatable(find(given), class)
+  k_doubt(where, found.k, "are the volumes in mm3 and the distance in mm?")
+  return found
 end

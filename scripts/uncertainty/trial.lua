@@ -19,7 +19,7 @@ local function history_with(flat, name, value)
   if not made then
     local message = type(run) == "table" and run.message or tostring(run)
     check.fail(where, ("field 'sample.%s': a run with the sampled value %g is refused (%s); set low= and "
-      .. "high= of the distribution to limits within the valid range"):format(name, value, message))
+      .. "high= of the distribution to limits within the valid range; the deviation is in the unit of the value, not a share"):format(name, value, message))
   end
   local fine, why = pcall(run.run, run, { progress = false })
   local history = run.history

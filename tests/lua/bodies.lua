@@ -41,6 +41,9 @@ fails(function() wear{ alpha = 0.2, model = { plate = { k = 1e-8 } } } end, { "'
   "alpha together with a coefficient of a material")
 fails(function() material{ k = -1 } end, "field 'k'", "a material with a coefficient below zero")
 
+for field, expected in pairs{ diameter = "did you mean 'flat', the diameter", width = "did you mean 'flat', the width" } do
+  fails(function() body.punch{ [field] = 4 } end, expected, "the " .. field .. " of a pin")
+end
 -- Tests element sizes: automatic sizes, fineness and limits.
 fails(function() model{ mesh = { size = 0.02, fineness = 2 } } end, { "mesh.size", "mesh.fineness" },
   "element size and fineness together")

@@ -67,6 +67,13 @@ has(warned(pair(210)),
   "E = 210 MPa of the cylinder is the modulus of a soft plastic or rubber: was 210 GPa meant",
   "E given in GPa")
 has(warned(pair(210e9)), "was 2.1e+11 Pa meant", "E given in Pa")
+local function moving(x)
+  return function() wear{ model = coarse, loading = { x = x, load = 10, increments = 8 }, distance = 1 } end
+end
+has(warned(moving(function(t) return 0.1 * math.sin(t) end)), "loading.x begins at 0 and ends at 0.0841471", "a cycle that is not closed")
+ok(not warned(moving(function(t) return 0.1 * math.sin(2 * math.pi * t) end)):find "begins at", "a closed cycle")
+has(warned(function() calibrate{ volume = { plate = 1e-3, cylinder = 2e-3 }, load = 100, distance = 1.32 } end),
+  "are the volumes in mm3 and the distance in mm?", "a distance in m")
 has(warned(function() contact{ model = coarse, load = 3e4 } end), "more than a fiftieth of E",
   "a pressure above E / 50")
 local function step(fields)

@@ -45,6 +45,8 @@ local function message_of(text) return select(2, prompt.compile(text, "=name", 1
 tap.is(message_of "w:run", "a method is called with () or {}: w:run()", "a method without parentheses does not wait for more lines")
 tap.holds(message_of "x = 5 mm", 'numbers have no units: 5 instead of 5 mm (help "units")', "a unit after a blank")
 tap.holds(message_of "x = 5mm", 'numbers have no units: 5 (help "units")', "a unit after a number")
+tap.holds(message_of "k = 1.5e-6 mm3/(N m)", "numbers have no units: 1.5e-6 instead of 1.5e-6 mm3", "a compound unit")
+tap.holds(message_of "w = wear{ distance = 20 km }", "numbers have no units: 20 instead of 20 km", "a unit in a table")
 tap.is(message_of "for i = 1, 2 do\n  w:run", nil, "an open loop waits for more lines")
 
 -- --- values ------------------------------------------------------------------------------------

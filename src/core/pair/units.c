@@ -30,14 +30,17 @@ void arc_units_doubt(const arc_model_def *model, char *text, size_t size) {
              "; E = %g MPa is the modulus of a soft plastic or rubber: was %g GPa meant?", E, E);
 }
 
+void arc_model_warn_moduli(const arc_model_def *model, const arc_callbacks *callbacks) {
+  for (int b = 0; b < ARC_BODIES && model->geometry != ARC_SPRINGS; b++)
+    warn_modulus(model->body[b].name[0] ? model->body[b].name : arc_body_name((arc_body)b),
+                 model->material[b].E, callbacks);
+}
+
 void arc_units_warn_pair(const arc_model_def *model, double p_max, const arc_callbacks *callbacks) {
   static const double small =
       50; /* ratio of Young's modulus to pressure below which strains are no longer small */
   if (model->geometry == ARC_SPRINGS) return;
   const double E = fmin(model->material[ARC_UPPER].E, model->material[ARC_LOWER].E);
-  for (int b = 0; b < ARC_BODIES; b++)
-    warn_modulus(model->body[b].name[0] ? model->body[b].name : arc_body_name((arc_body)b),
-                 model->material[b].E, callbacks);
   if (p_max > E / small)
     arc_warn(
         callbacks,

@@ -5,8 +5,7 @@
 
 #include "archard/model.h"
 
-/* Checks Young's moduli of both bodies, and the largest pressure `p_max` [MPa] relative to the
- * smaller modulus. */
+/* Checks the largest pressure `p_max` [MPa] relative to the smaller Young's modulus. */
 void arc_units_warn_pair(const arc_model_def *model, double p_max, const arc_callbacks *callbacks);
 
 /* Writes the end of an error message to `text`: a question whether the smaller modulus is in GPa,

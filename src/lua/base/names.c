@@ -42,6 +42,8 @@ static const char *const meanings[][3] = {
     {"R", "radius", ""},
     {"r", "radius", ""},
     {"diameter", "radius", ", half of the diameter"},
+    {"diameter", "flat", ", the diameter of a pin minus twice the radius of its edge"},
+    {"width", "flat", ", the width without the rounded edges"},
     {"P", "load", ""},
     {"F", "load", ""},
     {"L", "load", ""},
@@ -90,6 +92,7 @@ names_search names_begin(const char *name) {
 }
 
 void names_offer(names_search *search, const char *known) {
+  if (search->limit < 0) return; /* a name with this meaning was offered before */
   if (relation_of(search->name, known) || strcasecmp(known, search->name) == 0) {
     search->best = known;
     search->limit = -1;

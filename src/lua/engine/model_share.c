@@ -74,6 +74,10 @@ typedef struct building {
   int begun; /* true if the display function is on the stack */
 } building;
 
+static void warn(void *context, const char *text) {
+  lua_warning(context, text, 0);
+}
+
 static void begin_showing(building *b) {
   b->begun = 1;
   if (script_pcall(b->L, "archard.lib.build_progress", 0, 1) == LUA_OK) return;
@@ -125,6 +129,7 @@ static void build_holder(lua_State *L, const arc_model_def *def, arc_mesh **give
   box *holder = box_push(L, &model_class);
   building shown = {.L = L};
   const arc_callbacks callbacks = {.stop = interrupt_pending, .working = show, .context = &shown};
+  arc_model_warn_moduli(def, &(arc_callbacks){.warn = warn, .context = L});
   const arc_status status = given ? arc_model_build_given(def, given, &callbacks, &model, &error)
                                   : arc_model_build_with_callbacks(def, &callbacks, &model, &error);
   end_build(L, holder, model, &shown, status, &error, where);

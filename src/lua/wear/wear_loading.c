@@ -198,6 +198,22 @@ static const char *drive_of(const reading *r) {
   return found ? found : drives[args_given(r->L, r->table, "load_angle") ? 2 : 0];
 }
 
+/* Warns if the motion does not end where it begins, although the cycle repeats. */
+static void warn_open(const reading *r, const char *drive, const double *motion) {
+  static const double noise = 0.01; /* of the range of the motion, accepted in measured cycles */
+  char text[300];
+  const double first = motion[0], last = motion[r->count - 1];
+  double low = first, high = first;
+  for (size_t i = 0; i < r->count; i++) low = fmin(low, motion[i]), high = fmax(high, motion[i]);
+  if (!(fabs(last - first) > noise * (high - low))) return;
+  snprintf(text, sizeof text,
+           "%s: %s%s begins at %.6g and ends at %.6g: the jump back to the start of the next cycle "
+           "causes no wear. Close the cycle, as math.sin(2 * math.pi * t) does, or set periodic = "
+           "false for a single history",
+           r->location.where, r->location.prefix, drive, first, last);
+  lua_warning(r->L, text, 0);
+}
+
 /* Reads the block on top of the stack. */
 static arc_loading read_block(lua_State *L, int holder, args_location location, double load) {
   const int top = lua_gettop(L);
@@ -211,6 +227,7 @@ static arc_loading read_block(lua_State *L, int holder, args_location location, 
   const char *drive = drive_of(&r);
   const int by_x = strcmp(drive, "x") == 0, turns = strcmp(drive, "rotation") == 0;
   const double *driven = sample(&r, holder, drive, NAN);
+  if (block.periodic && strcmp(drive, "tangential") != 0) warn_open(&r, drive, driven);
   block.x = by_x ? driven : still(&r, holder);
   if (turns) block.rotation = driven;
   if (!turns && !by_x) block.tangential = driven;
