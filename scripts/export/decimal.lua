@@ -2,7 +2,7 @@
 
 local files = require "archard.files"
 
--- Returns a list of the cells of a line, each as it stands in the line.
+-- Returns a list of the cells of a line, with their quotes.
 local function cells_of(line)
   local cells, at = {}, 1
   while at <= #line + 1 do
