@@ -189,7 +189,8 @@ arc_status arc_sphere_grow(arc_joint *j, arc_error *error) {
   if (j->size >= most)
     return arc_fail(error, ARC_ZONE,
                     "the contact reaches %.0f degrees from the direction of the load: expected a "
-                    "contact that does not reach the poles of the cup",
+                    "contact that does not reach the poles of the cup; are clearance and wear in "
+                    "mm, the load in N and k in mm2/N?",
                     most * j->d * 90 / pi);
   return arc_sphere_open(j, wanted < most ? wanted : most, error);
 }

@@ -66,8 +66,8 @@ static void refuse_layers(lua_State *L, const arc_model_def *model) {
       const double k = model->body[b].layer[l].material.k;
       if (k > 0)
         error_raise(L, ARC_ARGUMENT, "wear",
-                    "fields 'k' and 'alpha': layer %d of the %s has its own wear coefficient, %s "
-                    "mm2/N; set either k and alpha or the k of each material",
+                    "fields 'k', 'alpha', 'k_cylinder', 'k_plate': layer %d of the %s has its own "
+                    "wear coefficient, %s mm2/N; set either these fields or the k of each material",
                     l + 1, arc_body_name((arc_body)b), args_show_number(L, k));
     }
 }
@@ -81,8 +81,9 @@ static void check_coefficients(lua_State *L, const wear_request *request,
     refuse_layers(L, model);
   error_raise(
       L, ARC_ARGUMENT, "wear",
-      "fields 'k' and 'alpha': the bodies have their own wear coefficients, %s and %s "
-      "mm2/N (model.cylinder.k, model.plate.k); set either k and alpha or the k of the bodies",
+      "fields 'k', 'alpha', 'k_cylinder', 'k_plate': the bodies have their own wear coefficients, "
+      "%s and %s mm2/N (model.cylinder.k, model.plate.k); set either these fields or the k of the "
+      "bodies",
       args_show_number(L, model->material[ARC_CYLINDER].k),
       args_show_number(L, model->material[ARC_PLATE].k));
 }
