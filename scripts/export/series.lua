@@ -68,7 +68,7 @@ return function(run, path, options)
   add()
   io.stderr:write(("archard: %s: wrote %s.pvd with one state at %.6g mm; %s\n"):format(where, stem, run.distance,
     run.done and "the run has ended: for more states call export.pvd before the run and use its result as progress of w:run"
-    or "pass the returned function as progress of w:run to add more states"))
+    or "the returned function adds states, as progress of w:run"))
   return function(run_now)
     if not run_now or run.update % (options.every or 1) == 0 or run.done then add() end
   end

@@ -2,7 +2,9 @@
 
 return {
   { "fit", kind = "function", class = "fitted",
-    use = 'fit{ unknown={ k=1e-8 }, data={{ of="depth_plate", cycle={}, value={} }} }',
+    use = 'f = fit{ unknown={ k=1e-8, alpha=0.5 }, base={ stroke=0.22, load=100 }, data={\n'
+      .. '  { profile=profile.read "c.csv":depth(), body="cylinder", distance=1320 },\n'
+      .. '  { of="depth_plate", distance={ 440, 1320 }, value={ 4e-4, 9e-4 },\n    error=5e-5 } } }\nprint(f)  plot.fit(f)',
     text = "Identifies parameters of wear{} and model{} from measured depths, volumes, profiles or loops, with "
       .. "standard errors: print(f), f.value.k, f.low.k and f.high.k (95 % interval). To identify both k and "
       .. "alpha, measure both bodies. calibrate{} is simpler for volumes of repeated tests. The method is weighted "

@@ -7,8 +7,8 @@ for i, column in ipairs(require "archard.settings".columns) do columns[i] = colu
 return {
   -- --- csv ------------------------------------------------------------------------------------
   { "csv", kind = "object", use = 'csv.read("measured.csv")',
-    text = "csv.read reads tables of numbers from text files: wear{ loading=csv.read(path) } with columns t (0 to 1), x "
-      .. "and load, or coefficients over the distance. gait.read reads the motion of a joint, profile.read a trace. To "
+    text = "csv.read reads columns of numbers from a text file, whose first line has their names: c = csv.read(path) has the "
+      .. "lists c.x, c.h. wear{ loading=csv.read(path) } reads a cycle with columns t (0 to 1), x and load. gait.read reads the motion of a joint, profile.read a trace. To "
       .. 'write a table use export.csv, for example export.csv(w:profile("plate"), "plate.csv").' },
   { "csv.read", kind = "function", use = 'csv.read(path, { t="time [s]", x="position" })',
     text = "Reads (imports) columns of numbers from a text file. The first line has the names of the columns; "

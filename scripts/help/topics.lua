@@ -252,10 +252,12 @@ maps. Files of .x3p and .gwy are not read; save them as .sdf or .gsf. See exampl
 A run computes wear volumes and depths; plot.history(w, "volume_plate") draws a volume over the distance, and w.history has all columns.
 The rate is a difference of two updates; for the volume of the plate in mm3 per mm of sliding:
 
-  d, v = w.history.distance, w.history.volume_plate
-  for i = 2, #d do print(d[i], (v[i] - v[i - 1]) / (d[i] - d[i - 1])) end
+  d, v, rate = w.history.distance, w.history.volume_plate, { 0 / 0 }
+  for i = 2, #d do rate[i] = (v[i] - v[i - 1]) / (d[i] - d[i - 1]) end
+  plot{ { x=d, y=rate }, xlabel="distance / mm", ylabel="rate / mm²" }
 
-Divided by the load it is k, the specific wear rate in mm2/N: 1e-8 mm2/N = 1e-5 mm3/(N m). plot{ { x=..., y=... } } draws such lists.]] },
+Divided by the load it is k, the specific wear rate in mm2/N: 1e-8 mm2/N = 1e-5 mm3/(N m). The time of a cycle count at f Hz is
+cycles / f seconds.]] },
   { "continue", [[
 At the prompt, Ctrl-C stops a run after its present step, and w:run() continues it. A script is ended by Ctrl-C or killed; what it
 did not save is lost. To continue in another session:

@@ -92,7 +92,8 @@ return {
   { "failure.course", kind = "field",
     text = "The probability for half of the samples and for all samples, a list of { n=, probability= }, to check "
       .. "its convergence." },
-  { "uncertainty", kind = "object", use = "u = s:uncertainty{...}",
+  { "uncertainty", kind = "object", use = 's = study{ base={ distance=660 }, n=64,\n  sample={ k=lognormal{ mean=1e-8, variation=0.4 } } }\n'
+      .. 's:run()  u = s:uncertainty{ of={ "depth_cylinder" } }\nprint(u)  plot.bands(u, { of="depth_cylinder" })',
     text = "Statistics of a sampled study, such as s = study{ sample={ k=lognormal{ mean=1e-8, variation=0.4 "
       .. "} }, n=256 }:run(), by the name of the result: u.depth_cylinder.mean[i] is the mean at the "
       .. "distance u.distance[i]. Each result has mean, mean_error, deviation, quantiles (a list of { "
