@@ -20,11 +20,11 @@ local function band_of(fit, x, low, high, factor)
   return area
 end
 
--- Returns true if the band is wider than the line of the model, with a line width of a 200th of the vertical range.
+-- Returns true if the band is wider than the line of the model, with a line width of a 100th of the vertical range.
 local function is_visible(low, high, range)
   local widest = 0
   for i = 1, #low do widest = math.max(widest, high[i] - low[i]) end
-  return widest > (range[2] - range[1]) / 50
+  return widest > (range[2] - range[1]) / 30
 end
 
 -- Returns the label of the vertical axis and the factor from the unit of the data to the unit of the label.
