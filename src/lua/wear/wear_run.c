@@ -21,7 +21,7 @@ static void refuse_interrupted(lua_State *L, const arc_wear *wear) {
   char text[120];
   const arc_wear_record *last = arc_wear_last(wear);
   lua_getfield(L, LUA_REGISTRYINDEX, INTERRUPT_PROMPT);
-  const char *after = lua_toboolean(L, -1) ? ", w:run() continues" : "";
+  const char *after = lua_toboolean(L, -1) ? " (w:run() continues)" : "";
   lua_pop(L, 1);
   snprintf(text, sizeof text, "cycle %.10g, %.6g of %.6g mm%s", last->cycle, last->distance,
            arc_wear_definition(wear)->distance, after);
