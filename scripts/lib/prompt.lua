@@ -70,6 +70,7 @@ local function note_surprises(text)
     noted_locals = true
     note("a local variable exists only in its chunk; omit 'local' to keep the value")
   end
+  if not term.is_terminal() then return end
   local whole, part = text:match("^%s*[%a_][%w_.]*%s*=%s*(%-?%d+),(%d[%deE.+-]*)%s*$")
   if whole then note("the value is %s: numbers have a decimal point, as in %s.%s", whole, whole, part) end
   local name = text:match("^%s*([%a_][%w_]*)%s*=[^=]")
@@ -97,20 +98,25 @@ local function short_command(text)
   end
 end
 
+local function unit_message(number, unit)
+  return ("numbers have no units: %s instead of %s %s (help \"units\")"):format(number, number, unit)
+end
+
 -- Returns a message if the text becomes complete with "()", which would otherwise wait for more lines:
 -- "w:run" and "x = 5 mm". Returns nil for other texts.
 local function refuse_without_call(text)
   if not load(text .. "()", "", "t") then return nil end
   local number, unit = text:match("([%d.]+)%s+([%a_][%w_]*)%s*$")
-  if number then
-    return ("numbers have no units: %s instead of %s %s (help \"units\")"):format(number, number, unit)
-  end
+  if number then return unit_message(number, unit) end
   local method = text:match("([%w_.]+:[%w_]+)%s*$")
   return method and ("a method is called with () or {}: %s()"):format(method)
 end
 
+local longest = 10000 -- [bytes] longer texts are not searched for hints; the duration grows with the square of the length
+
 -- Returns a hint for a text that is not Lua, with Lua's error message, or "".
 local function hint_for(text, message)
+  if #text > longest then return "" end
   local word = text:match "^%s*help%s+([%w_.:{}]+)%s*$"
   if word then return ('; did you mean help "%s"?'):format(word) end
   local next_field = message:match "expected near '([%a_][%w_]*)'$" or message:match "to close '{' at line %d+%) near '([%a_][%w_]*)'$"
@@ -118,9 +124,7 @@ local function hint_for(text, message)
     return ("; a comma is missing before %s"):format(next_field)
   end
   for amount, word in text:gmatch "(%d[%d.eE+-]*)%s+(%a[%w]*)" do
-    if csv_units.known(word) and word ~= "in" then
-      return ("; numbers have no units: %s instead of %s %s (help \"units\")"):format(amount, amount, word)
-    end
+    if csv_units.known(word) and word ~= "in" then return "; " .. unit_message(amount, word) end
   end
   local number, unit = message:match "malformed number near '([%d.]+)(%a+)'$"
   if number and not number:find("^0$") then return ("; numbers have no units: %s (help \"units\")"):format(number) end

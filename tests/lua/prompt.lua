@@ -224,5 +224,5 @@ for word, start in pairs{ roughness = "measured surface\n", ["plane stress"] = "
   tap.is(help.text(word):sub(1, #start), start, ("help %q begins with the best entry"):format(word))
 end
 tap.holds(help.text "rolling", "limits\n\n  Rolling is not simulated", "a word shows its paragraph of a long topic")
-tap.holds(help.text "rolling", 'help "limits" shows the whole topic', "with the way to the others")
+tap.holds(help.text "rolling", 'help "limits" shows the whole topic', "and names the topic")
 tap.ok(not help.text("limits"):find("shows the whole topic", 1, true), "the topic's own name shows all paragraphs")
