@@ -85,7 +85,12 @@ warnings.keep()
 warnings.take()
 contact{ load = 20, model = { upper = body.punch{ flat = 2, radius = 0.5, height = 10 }, lower = body.block{ width = 20, height = 10 },
   mesh = { size = 0.05 } } }
-ok((warnings.take() or ""):find("its peaks there are too low until wear widens the edges", 1, true), "edges with too few elements give a warning")
+ok((warnings.take() or ""):find("its peaks there are too low until wear widens the edges; a mesh that resolves them would be too large", 1, true),
+  "edges with too few elements give a warning")
+contact{ load = 500, model = { upper = body.punch{ flat = 1, radius = 1, height = 10 }, lower = body.block{ width = 20, height = 10 },
+  mesh = { size = 0.05 } } }
+ok((warnings.take() or ""):find("its peaks there are too low until wear widens the edges; mesh.size = ", 1, true),
+  "and the size that resolves them, if such a mesh is small enough")
 
 -- --- pins ---------------------------------------------------------------------------------------
 

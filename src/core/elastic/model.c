@@ -262,9 +262,10 @@ static void warn_edges(const arc_model *m, double load, const arc_callbacks *cal
              "them",
              e.spot, least_of_spot, size, e.spot / 5);
   if (e.edge >= 0.5 * e.half_width || e.edge >= fewest * size) return;
+  const double fine = arc_model_size_for(e.edge);
   char advice[60] = "a mesh that resolves them would be too large";
-  if (e.half_width < most_elements * arc_model_size_for(e.edge))
-    snprintf(advice, sizeof advice, "mesh.size = %.2g resolves them", arc_model_size_for(e.edge));
+  if (e.half_width < most_elements * fine)
+    snprintf(advice, sizeof advice, "mesh.size = %.2g resolves them", fine);
   arc_warn(callbacks,
            "pressure rises over %.2g mm at the edges of the contact, fewer than %d elements of %g "
            "mm: its peaks there are too low until wear widens the edges; %s",
