@@ -169,7 +169,7 @@ end
 -- Makes a run. model: a joint; given: the user's fields of wear{}.
 function runs.new(model, given)
   given = check.definition("joint:wear", given or {}, fields)
-  k_doubt("joint:wear", given.k, ("was %.4g mm3/(N m) meant (k = %.4g)?"):format(tonumber(given.k) or 0, (tonumber(given.k) or 0) / 1000))
+  k_doubt("joint:wear", given.k)
   local run = { model = model, engine = sphere.create(model), blocks = blocks_of(given.loading or gait "iso"),
     k = given.k or usual.k, alpha = given.alpha or usual.alpha, creep = given.creep, cycles = given.cycles or usual.cycles,
     updates = given.updates, jump = given.jump, scheme = given.scheme or "sweep", tolerance = given.tolerance or usual.tolerance,

@@ -14,8 +14,8 @@ local where = "plot.fit"
 
 local scaled = shapes.scaled
 
-local function band_of(fit, x, low, high, factor)
-  local area = shapes.area(x, low, high, factor)
+local function band_of(fit, x, low, high)
+  local area = shapes.area(x, low, high, 1)
   area.title = ("%g %% band"):format(100 * fit.confidence)
   return area
 end
@@ -98,16 +98,14 @@ local function main_panel(item, fit)
     colour = #x > few and "#808080" or "black", series = 1, title = "data" }
   local first, second = model, data
   if #x > few then first, second = data, model end
-  local range = range_of(scaled(item.low, factor), scaled(item.high, factor),
-    scaled(ends_of(item, -1), factor), scaled(ends_of(item, 1), factor))
+  local low, high = scaled(item.low, factor), scaled(item.high, factor)
+  local range = range_of(low, high, scaled(ends_of(item, -1), factor), scaled(ends_of(item, 1), factor))
   local panel = {
     first, second,
     title = item.brief or naming.word_of(item.title), ylabel = label, xlabel = name,
     ydown = item.x and true or nil, xrange = range_of(x), yrange = range,
   }
-  if is_visible(scaled(item.low, factor), scaled(item.high, factor), range) then
-    table.insert(panel, 1, band_of(fit, x, item.low, item.high, factor))
-  end
+  if is_visible(low, high, range) then table.insert(panel, 1, band_of(fit, x, low, high)) end
   return panel
 end
 
@@ -122,7 +120,7 @@ local function residual_panel(item)
 end
 
 local function curve_panel(fit, name, curve)
-  return { band_of(fit, curve.distance, curve.low, curve.high, 1),
+  return { band_of(fit, curve.distance, curve.low, curve.high),
     { x = curve.distance, y = curve.value, series = 1, title = "fit", style = "lines" },
     title = naming.word_of(name) .. " over the distance", xlabel = naming.axis_of("distance"), ylabel = naming.axis_of(name) }
 end

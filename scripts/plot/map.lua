@@ -60,11 +60,13 @@ local function field_of(t, position, covers)
     field.x[n], field.y[n] = position(i, j)
     field.value[n] = scale * t.y[(i - 1) * nz + j]
   end
+  local function least_at(i, j)
+    local at = (i - 1) * nz + j
+    return math.min(t.y[at], t.y[at + 1], t.y[at + nz], t.y[at + nz + 1])
+  end
   for j = nz - 1, 1, -1 do
     for i = 1, #t.x - 1 do
-      local at = (i - 1) * nz + j
-      local least = math.min(t.y[at], t.y[at + 1], t.y[at + nz], t.y[at + nz + 1])
-      if not covers or covers(0.5 * (t.x[i] + t.x[i + 1]), 0.5 * (t.z[j] + t.z[j + 1]), least) then
+      if not covers or covers(0.5 * (t.x[i] + t.x[i + 1]), 0.5 * (t.z[j] + t.z[j + 1]), least_at(i, j)) then
         add(i, j)
         add(i + 1, j)
         add(i + 1, j + 1)
