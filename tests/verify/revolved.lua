@@ -177,3 +177,16 @@ within(turning.volume_plate, 0.5e-7 * turning.load_distance, 1e-12,
   "spinning thrust ring: volume by the integral of p r dA dphi [mm3]")
 within(turning.volume_plate, even.volume_plate, 0.01,
   "spinning thrust ring: volume with the stroke at the mean radius [mm3]")
+
+-- Tests that the pressure at the axis follows its neighbours while a polymer pin wears flat in long steps.
+local pin = wear{ load = 100, slide = "z", track = 20, distance = 3e6, scheme = "implicit", model = { geometry = "axisymmetric",
+  lower = body.block{ width = 40, height = 10, k = 0 },
+  upper = body.punch{ flat = 4, radius = 0.5, height = 10, material = material{ E = 3600, nu = 0.4, k = 1e-9 } } } }
+local off = 0
+while pin.distance < 3e6 do
+  pin:step()
+  local p = pin:pressure("cylinder")
+  local middle = #p.x // 2 + 1
+  off = math.max(off, math.abs(p.p[middle] / p.p[middle + 6] - 1))
+end
+below(off, 0.005, "worn pin: largest relative difference between the pressures at the axis and at six nodes from it")

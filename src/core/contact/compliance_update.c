@@ -19,8 +19,9 @@ static double thinned(const shape_side *side, int i) {
   return (now - then) / (bottom - then);
 }
 
-/* Returns the weight of column i: the circumference of its ring in bodies of revolution, whose
- * forces act on whole rings; 1 in the plane. */
+/* Returns the circumference of the ring of node i in bodies of revolution, whose forces act on
+ * whole rings: the change of the displacements is due to the force per circumference. Returns 1 in
+ * the plane. */
 static double weight_of(const shape_side *side, int i) {
   const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
   if (!side->body->chart.revolved.on) return 1;
@@ -47,11 +48,12 @@ void arc_shape_find_compliance_change(const arc_shape *shape, shape_side *side) 
     const double share = thinned(side, i);
     if (share == 0) continue;
     side->compliance_changed = 1;
-    add_column(side, i, share / weight_of(side, i));
+    add_column(side, i, share);
   }
 }
 
-/* Computes u [n], the change of the compliance times the forces f [n]. */
+/* Computes u [n], the change of the compliance times the forces f [n]. In a body of revolution a
+ * uniform pressure thus causes a smooth change even at the axis, where circumferences vanish. */
 static void compliance_change_times(const shape_side *side, const double *f, double *u) {
   memset(u, 0, (size_t)side->n * sizeof *u);
   for (int j = 0; j < side->n; j++) {
@@ -61,7 +63,8 @@ static void compliance_change_times(const shape_side *side, const double *f, dou
     const double *row =
         &side->compliance_change[j * span +
                                  reach]; /* the matrix is symmetric: row j equals column j */
-    for (int o = low; o <= high; o++) u[j + o] += row[o] * f[j];
+    const double line = f[j] / weight_of(side, j);
+    for (int o = low; o <= high; o++) u[j + o] += row[o] * line;
   }
 }
 
