@@ -224,6 +224,14 @@ int arc_wear_has_outgrown(const arc_wear *w, arc_status why);
  * 0 if the present box contains them. */
 int arc_wear_layer_rows(const arc_wear *w);
 
+/* Returns the smallest width [mm] of the layers that are exposed on each side of a scar that has
+ * worn through them and that wear more slowly than the material below. They carry pressures several
+ * times higher than the centre. Returns INFINITY if there is no such layer. */
+double arc_wear_exposed_width(const arc_wear *w);
+
+/* Returns true if exposed layers are too narrow for the elements of an automatic mesh. */
+int arc_wear_must_refine(const arc_wear *w);
+
 /* Returns true if both bodies are wide enough for the zones that the run needs. */
 int arc_wear_can_grow(const arc_wear *w);
 
@@ -259,6 +267,8 @@ arc_status arc_wear_resolve(arc_wear *w, arc_wear **finer, arc_error *error);
 /* Returns the largest element size [mm] that resolves the slip zones of the last update. Returns
  * INFINITY without slip zones. */
 double arc_wear_rim_size(const arc_wear *w);
+/* Returns the smallest automatic element size [mm] in a zone of a given width [mm]. */
+double arc_wear_least_size(double width);
 
 /* --- layers.c --------------------------------------------------------------------------------- */
 /* Returns the wear depth [mm] of an update that begins at depth `h` of node i, computed with the

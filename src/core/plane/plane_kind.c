@@ -162,12 +162,10 @@ static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) 
 /* Warns if the slip zones are narrower than two elements. Returns true after a warning. The
  * volumes after 10000 cycles had errors of 9 to 35 % with 0.5 to 1.6 elements in a slip zone,
  * and of 3 to 8 % with 3 to 4 elements. The errors of the energies were twice as large. */
-static int warn_coarse(const arc_wear *w, const arc_callbacks *callbacks) {
+static int warn_of_rim(const arc_wear *w, double size, const arc_callbacks *callbacks) {
   static const double enough = 5, few = 2;
   const arc_wear_record *now = arc_wear_last(w);
-  const shape_side *side = &w->shape->side[ARC_CYLINDER];
-  const double size = arc_shape_width(side, side->n / 2),
-               rim = fmax(0, now->half_width - now->stick_width / 2);
+  const double rim = fmax(0, now->half_width - now->stick_width / 2);
   if (now->gross != 0 || now->stick_width == 0 || rim >= few * size) return 0;
   arc_warn(
       callbacks,
@@ -177,9 +175,33 @@ static int warn_coarse(const arc_wear *w, const arc_callbacks *callbacks) {
   return 1;
 }
 
+/* Warns if exposed layers are narrower than three elements. Returns true after a warning. A coating
+ * that wears ten times more slowly than its base caused errors of the pressure in the centre of up
+ * to 8.5 % with 1.5 to 2 elements, and of 3 % with 3. */
+static int warn_of_layers(const arc_wear *w, double size, const arc_callbacks *callbacks) {
+  static const double few_in_layer = 3, becomes_narrower = 2;
+  const double width = arc_wear_exposed_width(w);
+  if (width >= few_in_layer * size) return 0;
+  arc_warn(
+      callbacks,
+      "a layer is worn through, and %.2g mm of it carry load at either edge of the scar, %.2g "
+      "elements of %.2g mm: pressures may be off by 10 %%; mesh.size = %.2g resolves the layer",
+      width, width / size, size, width / few_in_layer / becomes_narrower);
+  return 1;
+}
+
+static int warn_coarse(const arc_wear *w, const arc_callbacks *callbacks) {
+  const shape_side *side = &w->shape->side[ARC_CYLINDER];
+  const double size = arc_shape_width(side, side->n / 2);
+  return warn_of_rim(w, size, callbacks) || warn_of_layers(w, size, callbacks);
+}
+
 static int must_grow(const arc_wear *w, arc_error *why) {
-  if (arc_wear_layer_rows(w) == 0) return 0;
-  arc_fail(why, ARC_GEOMETRY, "the plate's layers end below its wear box");
+  const int deeper = arc_wear_layer_rows(w) > 0;
+  if (!deeper && !arc_wear_must_refine(w)) return 0;
+  arc_fail(why, ARC_GEOMETRY, "%s",
+           deeper ? "the plate's layers end below its wear box"
+                  : "exposed layers are narrower than the elements");
   return 1;
 }
 

@@ -12,12 +12,15 @@
  * of the wear box is multiplied by `deeper`. */
 static const double wider = 1, deeper = 2;
 
-/* Automatic element sizes grow with the contact. They become larger by a factor of sqrt(2) if a
- * contact has `rich` times as many elements as an unworn contact. In the case of a ring that wears
- * a block to 25 half widths, the depth differs from the rigid limit by 0.02 % with rich = 4 and by
- * 0.05 % with rich = 3. With elements of size h, a transfer to larger elements loses the fraction
- * h^2/(8 b^2) of the area of a scar of half width b, which is 0.04 % (0.12 % for sizes doubled at
- * once). Scaling of the depths restores this area. */
+/* Automatic element sizes change by the factor `ratio`, the square root of 2. */
+static const double ratio = 1.41421356237309504880;
+
+/* Automatic element sizes grow with the contact. They become larger by `ratio` if a contact has
+ * `rich` times as many elements as an unworn contact. In the case of a ring that wears a block to
+ * 25 half widths, the depth differs from the rigid limit by 0.02 % with rich = 4 and by 0.05 % with
+ * rich = 3. With elements of size h, a transfer to larger elements loses the fraction h^2/(8 b^2)
+ * of the area of a scar of half width b, which is 0.04 % (0.12 % for sizes doubled at once).
+ * Scaling of the depths restores this area. */
 static const double rich = 4;
 
 /* --- checks of the present mesh */
@@ -67,6 +70,59 @@ static int is_deep(const arc_wear *w, double share) {
   return 0;
 }
 
+/* Returns the width [mm] of the surface on each side of a scar whose wear depth is between `from`
+ * and `to`. Depths are linear between nodes. */
+static double width_between(const shape_side *side, double from, double to) {
+  double width = 0;
+  for (int i = 0; i + 1 < side->n; i++) {
+    const double a = fmin(side->h[i], side->h[i + 1]), b = fmax(side->h[i], side->h[i + 1]);
+    const double dx = side->settled[2 * (i + 1)] - side->settled[2 * i];
+    if (b > a) width += dx * fmax(0, fmin(b, to) - fmax(a, from)) / (b - a);
+  }
+  return width / 2;
+}
+
+/* Returns true if layer j of a body wears more slowly than the material below. */
+static int wears_slowly(const arc_model_def *def, int b, int j) {
+  const arc_body_def *body = &def->body[b];
+  return arc_body_layer_material(body, j, def->material[b]).k <
+         arc_body_layer_material(body, j + 1, def->material[b]).k;
+}
+
+double arc_wear_exposed_width(const arc_wear *w) {
+  const arc_model_def *def = arc_model_definition(w->model);
+  double least = INFINITY;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    double above = 0;
+    for (int j = 0; j < arc_body_layers(&def->body[b]); j++) {
+      const double below = arc_body_interface(&def->body[b], j);
+      const double width = width_between(&w->shape->side[b], above, below);
+      const int through = arc_shape_depth(w->shape, (arc_body)b) > below;
+      if (width > 0 && through && wears_slowly(def, b, j)) least = fmin(least, width);
+      above = below;
+    }
+  }
+  return least;
+}
+
+/* Returns the largest element size [mm] that resolves the exposed layers, but not less than the
+ * smallest automatic size. */
+static double exposed_layer_size(const arc_wear *w) {
+  static const double exposed = 1.5; /* least number of elements in an exposed layer */
+  const arc_mesh_def *mesh = &arc_model_definition(w->model)->mesh;
+  const double zone = fmax(mesh->zone[ARC_CYLINDER], mesh->zone[ARC_PLATE]);
+  return fmax(arc_wear_exposed_width(w) / exposed, arc_wear_least_size(zone));
+}
+
+/* Returns true if exposed layers have become too narrow for the elements of an automatic mesh. */
+static int is_coarse(const arc_wear *w, const arc_mesh_def *mesh) {
+  return mesh->fineness > 0 && mesh->size * mesh->fineness > exposed_layer_size(w);
+}
+
+int arc_wear_must_refine(const arc_wear *w) {
+  return !arc_model_is_given(w->model) && is_coarse(w, &arc_model_definition(w->model)->mesh);
+}
+
 /* Limits of the wear depth divided by the depth of the wear box. Above `deep` the run has outgrown
  * its box. Above `soon_deep` every new mesh has a deeper box. */
 static const double deep = 1 / 3.0, soon_deep = 1 / 6.0;
@@ -77,7 +133,8 @@ int arc_wear_layer_rows(const arc_wear *w) {
 
 int arc_wear_has_outgrown(const arc_wear *w, arc_status why) {
   return (why == ARC_ZONE && has_grown_into_zone(w)) ||
-         (why == ARC_GEOMETRY && (is_deep(w, deep) || arc_wear_layer_rows(w) > 0));
+         (why == ARC_GEOMETRY &&
+          (is_deep(w, deep) || arc_wear_layer_rows(w) > 0 || arc_wear_must_refine(w)));
 }
 
 int arc_wear_can_grow(const arc_wear *w) {
@@ -107,38 +164,6 @@ static void set_rows(arc_model_def *def, double rows) {
   def->mesh.rows = (int)fmin(fmin(ceil(rows - 1e-9), ARC_SHAPE_MOST_ROWS), most);
 }
 
-/* Returns the width [mm] of the surface on each side of a scar whose wear depth is between `from`
- * and `to`. Depths are linear between nodes. */
-static double width_between(const shape_side *side, double from, double to) {
-  double width = 0;
-  for (int i = 0; i + 1 < side->n; i++) {
-    const double a = fmin(side->h[i], side->h[i + 1]), b = fmax(side->h[i], side->h[i + 1]);
-    const double dx = side->settled[2 * (i + 1)] - side->settled[2 * i];
-    if (b > a) width += dx * fmax(0, fmin(b, to) - fmax(a, from)) / (b - a);
-  }
-  return width / 2;
-}
-
-/* Returns the largest element size [mm] that resolves the layers exposed at the edges of a scar
- * that has worn through them. If they wear more slowly than the material below, they carry
- * pressures several times higher than the centre. Returns INFINITY if no layer is worn through. */
-static double exposed_layer_size(const arc_wear *w) {
-  static const double exposed = 1.5; /* least number of elements in an exposed layer */
-  double least = INFINITY;
-  for (int b = 0; b < ARC_BODIES; b++) {
-    const shape_side *side = &w->shape->side[b];
-    const arc_body_def *body = &arc_model_definition(w->model)->body[b];
-    double above = 0;
-    for (int j = 0; j < arc_body_layers(body); j++) {
-      const double below = arc_body_interface(body, j);
-      const double width = width_between(side, above, below);
-      if (width > 0 && arc_shape_depth(w->shape, (arc_body)b) > below) least = fmin(least, width);
-      above = below;
-    }
-  }
-  return least / exposed;
-}
-
 /* Returns the element size [mm] with which an unworn contact with equally wide edges would be
  * meshed. The edges of a flat body with rounded edges are the parts of the contact beside its flat
  * face; those of other bodies are as wide as half of the contact. */
@@ -148,17 +173,25 @@ static double edge_size(const arc_wear *w) {
   return arc_model_size_for(fmax(unworn.edge, edge));
 }
 
+static void scale_size(arc_model_def *def, double by) {
+  def->mesh.size *= by;
+  def->mesh.height *= by;
+  set_rows(def, def->mesh.rows / by);
+}
+
+static void refine(const arc_wear *w, arc_model_def *def) {
+  while (is_coarse(w, &def->mesh)) scale_size(def, 1 / ratio);
+}
+
+/* Exposed layers become narrower as the scar grows. Their elements therefore have a reserve. */
 static void coarsen(const arc_wear *w, arc_model_def *def) {
-  arc_mesh_def *mesh = &def->mesh;
   const double fitted = arc_model_size_for(arc_wear_last(w)->half_width) / rich;
-  const double ratio = sqrt(2), soon = sqrt(sqrt(ratio)); /* a slightly earlier change to larger
-                                                             elements avoids another remeshing */
-  const double edges = fmin(edge_size(w), exposed_layer_size(w)) / ratio;
-  const double most = soon * fmin(fmin(fitted, arc_wear_rim_size(w) / 2), edges);
-  for (; mesh->fineness > 0 && mesh->size * mesh->fineness <= most; mesh->size *= ratio) {
-    mesh->height *= ratio;
-    set_rows(def, mesh->rows / ratio);
-  }
+  const double soon = sqrt(sqrt(ratio)); /* a slightly earlier change to larger elements avoids
+                                            another remeshing */
+  const double edges = edge_size(w) / ratio, layers = exposed_layer_size(w) / (ratio * ratio);
+  const double most = fmin(soon * fmin(fmin(fitted, arc_wear_rim_size(w) / 2), edges), layers);
+  while (def->mesh.fineness > 0 && def->mesh.size * def->mesh.fineness <= most)
+    scale_size(def, ratio);
 }
 
 static void deepen(const arc_wear *w, arc_model_def *def) {
@@ -169,7 +202,9 @@ static arc_model_def grown(const arc_wear *w, arc_status why) {
   arc_model_def def = *arc_model_definition(w->model);
   if (why == ARC_ZONE) widen(w, &def);
   coarsen(w, &def);
-  if (why == ARC_GEOMETRY || is_deep(w, soon_deep)) deepen(w, &def);
+  refine(w, &def);
+  const int deepens = why == ARC_GEOMETRY && !arc_wear_must_refine(w);
+  if (deepens || is_deep(w, soon_deep)) deepen(w, &def);
   return def;
 }
 
@@ -196,7 +231,7 @@ static arc_status go_onto(const arc_wear *w, const arc_model_def *def,
   arc_status status = arc_model_build_with_callbacks(def, callbacks, &model, error);
   if (status == ARC_OK) status = take_over(w, model, result, error);
   arc_model_release(&model);
-  if (status == ARC_OK) (*result)->warned = w->warned;
+  if (status == ARC_OK) (*result)->warned = w->warned, (*result)->coarse = w->coarse;
   return status;
 }
 
@@ -239,7 +274,7 @@ void arc_wear_report_growth(const arc_wear *before, const arc_wear *now,
   const arc_mesh_def *old = &arc_model_definition(before->model)->mesh;
   const arc_mesh_def *mesh = &arc_model_definition(now->model)->mesh;
   const char *why = "the wear outgrows its mesh";
-  if (old->fineness > 0 && mesh->size > old->size) return; /* coarser meshes are not reported */
+  if (old->fineness > 0 && mesh->size != old->size) return; /* automatic sizes are not reported */
   if (arc_wear_layer_rows(before) > 0) why = "layers that wear evenly enter the wear box";
   if (mesh->zone[ARC_PLATE] > old->zone[ARC_PLATE]) why = "the contact outgrows its mesh";
   arc_wear_report_meshes(before, now, why, callbacks);

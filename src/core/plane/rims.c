@@ -9,9 +9,13 @@
  * accurate to 1 % if the stick zone ends halfway between two nodes, and to 2 % otherwise. */
 static const double in_rim = 5;
 
-/* Largest automatic number of columns in a zone that is `contact_widths` times as wide as the
- * contact. */
+/* Largest automatic number of columns in a zone. The slip zones are resolved in a zone that is
+ * `contact_widths` times as wide as the contact. */
 static const double most_columns = 320, contact_widths = 3;
+
+double arc_wear_least_size(double width) {
+  return width / most_columns;
+}
 
 /* Results for a cycle of a block. */
 typedef struct cycle_of {
@@ -75,8 +79,8 @@ static double size_for(arc_wear *w, const wear_block *block, double mu) {
   double a, c;
   if (!(cycle.share > 0 && cycle.share < 1)) return mesh->size;
   find_rim(w, block, &cycle, &a, &c);
-  const double least = contact_widths * a / most_columns, fine = (a - c) / in_rim / mesh->fineness;
-  const double size = fmin(mesh->size, fmax(least, fine));
+  const double fine = (a - c) / in_rim / mesh->fineness;
+  const double size = fmin(mesh->size, fmax(arc_wear_least_size(contact_widths * a), fine));
   const double halfway = c / (ceil(c / size - 0.5 - rounding) + 0.5);
   return halfway >= size / 2 ? halfway : size;
 }
