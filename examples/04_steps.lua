@@ -1,6 +1,6 @@
 -- Cycles per update of the geometry: fixed and automatic numbers, with their errors. A fixed number must be
 -- below the stability limit, above which ripples grow. Below the limit, the error increases with the
--- number.
+-- number. By default steps are implicit, and their lengths follow an estimate of the error.
 --   archard examples/04_steps.lua
 
 local m = model{}
@@ -12,8 +12,8 @@ local choices = {
   { "jump = 200", { jump = 200 } },
   { "jump = 100", { jump = 100 } },
   { "jump = 25", { jump = 25 } },
-  { 'jump = "auto"', { jump = "auto" } },
-  { 'scheme = "implicit"', { scheme = "implicit", tolerance = 1e-3 } },
+  { 'scheme = "explicit"', { scheme = "explicit" } },
+  { "default: implicit", {} },
 }
 print(("%-20s %8s %10s %15s %9s"):format("", "updates", "solutions", "plate error", "seconds"))
 local chosen, titles = {}, {}

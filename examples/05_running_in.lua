@@ -1,5 +1,5 @@
--- Running-in: the wear coefficient decays to a fifth, with a decay length of 100 mm of sliding. The implicit scheme uses
--- short steps while k falls and long ones afterwards.
+-- Running-in: the wear coefficient decays to a fifth, with a decay length of 100 mm of sliding. Automatic steps are
+-- short while k falls and long afterwards.
 --   archard examples/05_running_in.lua
 
 local settled, fresh, length = 1e-8, 5e-8, 100 -- mm2/N, mm2/N, mm
@@ -8,8 +8,8 @@ local function running_in(state)
   return settled + (fresh - settled) * math.exp(-state.distance / length)
 end
 
-local steady = wear{ k = settled, scheme = "implicit", tolerance = 1e-3 }:run()
-local w = wear{ k = running_in, scheme = "implicit", tolerance = 1e-3 }:run()
+local steady = wear{ k = settled }:run()
+local w = wear{ k = running_in }:run()
 
 -- The volume is the load times the integral of k over the distance.
 local d = w.distance

@@ -40,7 +40,7 @@ for i = #band.high, 1, -1 do add(i + 1, band.high[i]) add(i, band.high[i]) end
 plot{ range, { x = course.k.distance, y = course.k.value, title = "k", style = "lines", series = 1 },
   xlabel = "distance / mm", ylabel = "k / (mm²/N)" }
 
-local running_in = wear{ k = course.k, alpha = course.alpha, stroke = 0.22, jump = "auto" }
+local running_in = wear{ k = course.k, alpha = course.alpha, stroke = 0.22 }
 running_in:run()
 print(("volumes %.4g and %.4g mm3, measured %.4g and %.4g mm3"):format(running_in.volume.cylinder,
   running_in.volume.plate, course.mean.k_cylinder * 100 * 1320, course.mean.k_plate * 100 * 1320))

@@ -10,7 +10,7 @@ local level_set = { 0.3784, 1.1311, 1.8145, 2.7130 }   -- um
 local w = wear{
   model = { radius = 6, mesh = { size = 0.01, height = 0.01 } },
   friction = 0.9, load = 18.5, stroke = 0.05, increments = 40,
-  k_cylinder = 1.9e-8, k_plate = 2.9e-8, cycles = 18000, jump = "auto",
+  k_cylinder = 1.9e-8, k_plate = 2.9e-8, cycles = 18000,
 }
 local start = os.clock()
 print "   cycles  depth of the flat / um: here  level set  mesh motion"

@@ -8,7 +8,7 @@ local curves, most = {}, 0
 print "friction  energy / N mm  volume / mm3     V / E   depth of the plate / um"
 for i, friction in ipairs{ 0.3, 0.6, 0.9 } do
   local w = wear{ model = bodies, friction = friction, load = 100, stroke = 0.05, k = k, law = "energy",
-    cycles = 3000, jump = "auto", increments = 60 }
+    cycles = 3000, increments = 60 }
   w:run{ progress = false }
   print(("%8.1f %14.1f %13.4e %9.3e %12.4f"):format(friction, w.energy, w.volume.total, w.volume.total / w.energy,
     1e3 * w.depth.plate))

@@ -21,6 +21,6 @@ print(f)
 plot.fit(f, { curves = true })
 
 -- wear{} accepts the fitted curves.
-local w = wear{ k = f.curve.k, alpha = f.curve.alpha, stroke = 0.22, jump = "auto" }
+local w = wear{ k = f.curve.k, alpha = f.curve.alpha, stroke = 0.22 }
 w:run()
 print(w)

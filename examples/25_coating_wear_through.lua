@@ -2,7 +2,7 @@
 -- and wears ten times slower, so the wear rate rises afterwards.
 --   archard examples/25_coating_wear_through.lua
 
-local w = wear{ load = 100, stroke = 0.2, distance = 6000, jump = "auto", model = {
+local w = wear{ load = 100, stroke = 0.2, distance = 6000, model = {
   lower = body.block{ width = 20, height = 10, k = 2e-8,
     layers = { { thickness = 2e-3, material = material{ E = 400e3, nu = 0.25, k = 2e-9 } } } },
   mesh = { size = 0.04, height = 0.03 } } }

@@ -11,7 +11,7 @@ local new = contact{ model = joint, load = load }
 print(("new: %.2f MPa, contact over %.1f degrees on either side, %.1f N along the normals"):format(new.p_center,
   math.deg(new.half_width / R), new.normal_force))
 
-local w = wear{ model = joint, load = load, stroke = 0.1, distance = 2e4, jump = "auto" } -- oscillating rotation
+local w = wear{ model = joint, load = load, stroke = 0.1, distance = 2e4 } -- oscillating rotation
 w:run()
 print(("after %g m: %.2f MPa, liner worn by %.1f um and %.3f mm3"):format(w.distance / 1e3, w.p_center, 1e3 * w.depth_plate,
   w.volume_plate))

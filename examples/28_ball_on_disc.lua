@@ -12,7 +12,7 @@ print(("new: %.1f MPa, %.2f um together; by Hertz %.1f MPa, %.2f um"):format(new
   1e3 * exact.approach))
 
 local w = wear{ model = pair, load = load, slide = "z", track = track, k_cylinder = 1e-7, k_plate = 2e-8,
-  cycles = 200, scheme = "implicit", tolerance = 1e-3 }
+  cycles = 200 }
 local contacts, titles = { new }, { "new" }
 for _, turns in ipairs{ 2, 20, 200 } do
   w:run{ cycles = turns }

@@ -18,7 +18,7 @@ for _, case in ipairs{ { "copper alone", k, 0 }, { "both", k, k } } do
   local what, copper, steel = table.unpack(case)
   local began = os.clock()
   local w = wear{ model = rings, load = load, slide = "z", spin = 100, k_cylinder = copper, k_plate = steel,
-    distance = seconds * turn, scheme = "implicit", tolerance = 1e-3 }
+    distance = seconds * turn }
   w:run()
   print(("%s, %g s: %.0f MPa, worn by %.3f and %.3f mm, %.0f and %.0f mm3, in %.0f updates and %.1f s"):format(what, seconds,
     w.p_center, w.depth_cylinder, w.depth_plate, w.volume_cylinder, w.volume_plate, w.update, os.clock() - began))

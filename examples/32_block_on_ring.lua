@@ -8,7 +8,7 @@ local published = { 16.155, 25.709, 44.280 } -- um; computed in 18.5 hours (25 h
 
 local began = os.clock()
 local w = wear{ model = { radius = radius, thickness = width }, load = load, k_cylinder = 0, k_plate = k, slide = "z",
-  distance = 1000 * metres[#metres], scheme = "implicit", tolerance = 1e-2 }
+  distance = 1000 * metres[#metres], tolerance = 1e-2 }
 
 -- Returns the depth [mm] of the scar of a rigid ring: a circular segment with the worn area [mm2].
 local function rigid(area)

@@ -27,8 +27,7 @@ for _, name in ipairs{ "roller", "block" } do
   local line = w:profile(name, { z = 0 })
   for i = 2, #line.x do area = area + (line.h[i] + line.h[i - 1]) / 2 * (line.x[i] - line.x[i - 1]) end
 end
-local plane = wear{ model = { radius = radius }, load = area / (1e-8 * w.distance), stroke = 0.3, alpha = 0.3, k = 1e-8, distance = w.distance,
-  scheme = "implicit" }
+local plane = wear{ model = { radius = radius }, load = area / (1e-8 * w.distance), stroke = 0.3, alpha = 0.3, k = 1e-8, distance = w.distance }
 plane:run()
 print(("a line contact with the %.1f N/mm of its middle: %.3f and %.3f um"):format(plane.load, 1e3 * plane.depth.cylinder,
   1e3 * plane.depth.plate))

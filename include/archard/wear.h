@@ -118,9 +118,13 @@ typedef struct arc_loading {
 } arc_loading;
 
 #define ARC_WEAR_SETTINGS(NUMBER, WHOLE, CHOICE, QUANTITY, FUNCTION, OTHER)                        \
-  CHOICE(scheme, scheme, ARC_EXPLICIT, 0,                                                          \
-         "How an update computes the wear: \"explicit\", from the pressures at its start; "        \
-         "\"implicit\", from the pressures at its end, which allows longer steps (see order).")    \
+  CHOICE(                                                                                          \
+      scheme, scheme, ARC_EXPLICIT, ARC_OPTIONAL,                                                  \
+      "How an update computes the wear: \"explicit\", from the pressures at its start; "           \
+      "\"implicit\", from the pressures at its end, which allows longer steps (see order). By "    \
+      "default steps are implicit. They are explicit where this is faster or more accurate: "      \
+      "if jump is a number or a function, for law = \"threshold\" and, in 2-D, with friction, "    \
+      "slip = \"total\", a local_factor, update = \"increment\" or loadings that do not repeat.")  \
   QUANTITY(                                                                                        \
       k, "mm2/N", 1e-8, FROM(0), ARC_FUNCTION | ARC_SERIES,                                        \
       "Wear coefficient k of both bodies together: wear volume = k times load times sliding "      \
@@ -172,10 +176,10 @@ typedef struct arc_loading {
   QUANTITY(                                                                                        \
       jump, "cycles", 0, ABOVE(0), ARC_AUTOMATIC | ARC_FUNCTION,                                   \
       "Number of cycles between two updates of the geometry (N-bar in the paper). \"auto\": the "  \
-      "number follows from an estimate of the error, and each update is computed by a method of "  \
-      "second order with several stages. With a number, pressures stay constant between two "      \
-      "updates, as in the paper; too large a number is unstable and causes sawtooth ripples, see " \
-      "w:stability(). A function computes the number from the state before each update.")          \
+      "number follows from an estimate of the error. With a number, pressures stay constant "      \
+      "between two updates, as in the paper; too large a number is unstable and causes sawtooth "  \
+      "ripples, see w:stability(). A function computes the number from the state before each "     \
+      "update. scheme = \"implicit\" is stable with any jump.")                                    \
   WHOLE(increments, "", 0, EVEN(2, 100000), ARC_AUTOMATIC,                                         \
         "Number n_c of increments in a full cycle. Only half of them are simulated, since both "   \
         "strokes are alike (Eq. 22). \"auto\": 100, or as many as are needed for the plate to "    \
@@ -262,12 +266,14 @@ typedef struct arc_loading {
   WHOLE(workers, "", 1, WITHIN(1, 64), ARC_FIXED,                                                  \
         "Number of threads among which the positions of a stroke are divided in 3-D. Results are " \
         "the same to the bit for any number of threads.")                                          \
-  NUMBER(tolerance, "", 0, BETWEEN(0, 1), ARC_OPTIONAL,                                            \
-         "Accepted error of the depths of an implicit run, relative to the largest depth, at "     \
-         "every node deeper than a twentieth of the largest depth. The lengths of the steps are "  \
-         "chosen for this error. Pressures have 10 times this error on average, and more at "      \
-         "single nodes at the edge of the contact. Default: 1e-3 if no jump is given. With a "     \
-         "jump, all steps have this length, and their error is not checked.")                      \
+  NUMBER(                                                                                          \
+      tolerance, "", 0, BETWEEN(0, 1), ARC_OPTIONAL,                                               \
+      "Accepted error of the depths of an implicit run, relative to the largest depth, at "        \
+      "every node deeper than a twentieth of the largest depth. The lengths of the steps are "     \
+      "chosen for this error. Pressures have 10 times this error on average, and more at "         \
+      "single nodes at the edge of the contact. Default: 1e-3 if jump is \"auto\". With a "        \
+      "number as jump all steps have this length, and their error is not checked. Explicit "       \
+      "runs have an error of about 0.5 % with jump = \"auto\"; a tolerance makes them implicit.")  \
   OTHER(model, "a model object or a table of its fields", "model", ARC_FIXED,                      \
         "The two bodies. Default: model{} with contact zones wide enough for the stroke, built "   \
         "on first use.")                                                                           \
@@ -320,7 +326,9 @@ arc_wear_def arc_wear_default(void);
 /* Default tolerance of implicit runs without a jump. */
 #define ARC_USUAL_TOLERANCE 1e-3
 
-/* Sets the default control of step lengths: the implicit scheme in 3-D, jump = "auto" in 2-D. */
+/* Sets the default control of step lengths: the implicit scheme with ARC_USUAL_TOLERANCE or, where
+ * it is better, the explicit scheme (see the setting scheme). A tolerance that is set stays and
+ * makes the scheme implicit. */
 void arc_wear_def_usual(arc_wear_def *def, const arc_model_def *model);
 
 /* Sets k = k_c + k_p and alpha = k_c / k (Eqs. 18 and 19 of the reference paper) from the

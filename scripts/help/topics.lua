@@ -92,7 +92,7 @@ The contact has a fixed position, and the bodies slide along z, the circumferent
                    with spin the distance grows with r
 
   w = wear{ model = { geometry = "axisymmetric" }, load = 50, slide = "z",
-    alpha = 1, track = 20, cycles = 1000, jump = "auto" }
+    alpha = 1, track = 20, cycles = 1000 }
 
 Strokes along x, friction in the section, holes, a thickness, and profiles that differ at x and -x are refused. A mesh from Gmsh must contain
 both halves of the section, with mesh lines on the axis. With spin the pressure on the axis grows without limit as the bodies wear.
@@ -105,7 +105,7 @@ New surfaces often wear faster at first. Define k as a function of the state, or
   k = { distance = { 0, 200, 1320 }, value = { 5e-8, 1e-8, 1e-8 } }
 
 Functions and tables are integrated over every update; an update ends at a jump of a table. alpha can be a function or a table too. For short
-steps while k decreases and long ones afterwards use jump = "auto", or scheme = "implicit" with tolerance = 1e-3. calibrate{}
+steps while k decreases and long ones afterwards keep jump = "auto", the default. calibrate{}
 computes such tables from volumes measured at several distances. See help "state" and examples "running_in".]] },
   { "files", [[
   w:save, wear.open           complete runs, which can be continued
@@ -166,11 +166,14 @@ examples/gmsh_pair.geo is an example for Gmsh:
   { "steps", [[
 One update of the geometry represents many cycles (cycle jump). These fields of wear{} set the number of cycles:
 
-  jump = "auto"        default: explicit steps, with an error estimate
-  scheme = "implicit"  long steps, controlled by tolerance (default 1e-3)
-  jump = 50            steps of 50 cycles. For elements of 20 um, the paper
-                       uses 100 cycles in most cases with a stroke of 0.11
-                       mm, and 20 to 50 cycles for longer strokes
+  jump = "auto"        default: the lengths of the steps follow an estimate
+                       of their error, which tolerance (1e-3) limits. The
+                       steps are implicit or, for example with friction,
+                       explicit: see scheme
+  scheme = "explicit"  explicit steps of several stages
+  jump = 50            explicit steps of 50 cycles. For elements of 20 um, the
+                       paper uses 100 cycles in most cases with a stroke of
+                       0.11 mm, and 20 to 50 cycles for longer strokes
 
 A fixed jump above a stability limit causes ripples, which make the surfaces rough; w:stability() computes the limit. A run above
 the limit prints a warning and ends when ripples appear. The limit decreases with longer strokes and smaller elements. A jump below
@@ -184,7 +187,7 @@ A coating is a layer of a body, with a thickness in mm and a material with its o
 Example: 2 um of DLC on a steel plate, worn until the coating is worn through, and then to the end of the run:
 
   dlc = material{ name="DLC", E=200e3, nu=0.25, k=2e-9 }
-  w = wear{ load=100, stroke=0.2, distance=6000, jump="auto", model={
+  w = wear{ load=100, stroke=0.2, distance=6000, model={
       lower=body.block{ k=2e-8,
         layers={{ thickness=2e-3, material=dlc }} } } }
   w:run{ depth={ plate=2e-3 } }
@@ -343,8 +346,7 @@ Errors of a run are due to the mesh, to the steps, and to the data. To estimate 
 
   mesh    repeat the run with model = { mesh = { fineness = 2 } }; the change
           of a depth is about its error
-  steps   divide tolerance by 10 (jump = "auto", scheme = "implicit"), or
-          halve a fixed jump
+  steps   divide tolerance by 10 (jump = "auto"), or halve a fixed jump
   both    study.converge{ base = {...} } searches for the size and the jump
 
 On automatic meshes with automatic steps, depths of homogeneous bodies without friction have errors below 1 % in the tests of
@@ -354,7 +356,7 @@ have errors too: w:sensitivity{} shows the effect of a change of k, load or E, s
 the standard errors of k and alpha.]] },
 
   { "run time", [[
-Typical times on one core: 0.02 s for 6000 cycles of a cylinder on a plate, 2 s for 6000 mm of a ball of 5 mm on a flat in 3-D.
+Typical times on one core: 0.03 s for 6000 cycles of a cylinder on a plate, 2 s for 6000 mm of a ball of 5 mm on a flat in 3-D.
 A long run prints its progress and the remaining time; Ctrl-C keeps the last complete step.
 
 To estimate a run, make one update with time(function() w:step() end). The number of updates depends on the wear, not on the
@@ -364,7 +366,7 @@ number of cycles. Runs are faster with
                           twice as large, for first results
   geometry = "frozen"     the mesh does not change: for wear that is small
                           compared with layers and radii
-  a larger tolerance      with jump = "auto" or scheme = "implicit"
+  a larger tolerance      with jump = "auto"
   fewer increments        if the stroke is long, see help "increments"
   workers = 2             threads of a 3-D run; s:run{ workers = 4 } computes
                           cases of a study at the same time]] },

@@ -13,7 +13,7 @@ local at = require "archard.lib.history_at"
 local paper = require "archard.study.paper"
 local schemes = {
   { "explicit, jump of Table 1", function(jump) return { jump = jump } end },
-  { 'explicit, jump = "auto"', function() return { jump = "auto" } end },
+  { "explicit, automatic", function() return { scheme = "explicit" } end },
   { "implicit, tolerance = 1e-3", function() return { scheme = "implicit", tolerance = 1e-3 } end },
 }
 

@@ -13,7 +13,7 @@ local function new_study() return study{ name = "old", base = base, [snapshots] 
 local function new_wear(jump)
   local definition = {}
   for name, value in pairs(base) do definition[name] = value end
-  definition.jump = jump or base.jump
+  definition.scheme, definition.jump = "explicit", jump or base.jump
   return wear(definition)
 end
 

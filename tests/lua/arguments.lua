@@ -91,7 +91,7 @@ fails(function() wear{ alpha = { distance = { 0, 1 }, value = { 0 } } } end, "eq
   "a series with fewer values than distances")
 fails(function() wear{ alpha = { distanc = {} } } end,
   "unknown field 'alpha.distanc' (did you mean 'distance'?)", "a misspelt field of a series")
-fails(function() wear{ tolerance = 1e-3 } end, { "tolerance", "implicit" },
+fails(function() wear{ scheme = "explicit", tolerance = 1e-3 } end, { "tolerance", "implicit" },
   "tolerance without the implicit scheme")
 fails(function() wear{ order = 3 } end, "field 'order': expected a whole number in [1, 2], got 3", "order")
 fails(function() wear{ law = "coulomb" } end, [[expected "archard", "power", ]], "law")

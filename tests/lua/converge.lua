@@ -152,7 +152,7 @@ for i, factor in ipairs{ 0.97, 1, 1.03 } do
   on_way.cylinder[i], on_way.plate[i] = volumes(3e-9, 2e-8, factor), volumes(7e-9, 9e-9, 2 - factor)
 end
 local course = calibrate{ load = 100, distance = at, volume = on_way }
-local run = wear{ k = course.k, alpha = course.alpha, geometry = "frozen", increments = 8, jump = "auto",
+local run = wear{ k = course.k, alpha = course.alpha, geometry = "frozen", increments = 8, scheme = "explicit",
   model = coarse, distance = at[#at] }
 for i, d in ipairs(at) do
   run:run{ distance = d }
@@ -187,7 +187,7 @@ for _, case in ipairs{ { { 1e-6, 2e-6, 4e-5, 8e-5 }, { 1e-5, 2e-5, 2.2e-5, 2.4e-
   { { 0, 1e-5, 1e-5, 1e-5 }, { 2e-5, 2e-5, 8e-5, 8e-5 } } } do
   local hard = { distance = { 50, 137, 140, 400 }, load = 50, volume = { cylinder = case[1], plate = case[2] } }
   local found = calibrate(hard)
-  local slid = wear{ k = found.k, alpha = found.alpha, load = 50, geometry = "frozen", increments = 8, jump = "auto",
+  local slid = wear{ k = found.k, alpha = found.alpha, load = 50, geometry = "frozen", increments = 8, scheme = "explicit",
     model = coarse, distance = 400 }
   for i, d in ipairs(hard.distance) do
     slid:run{ distance = d }

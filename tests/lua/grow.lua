@@ -74,14 +74,14 @@ local s = wear{}
 s:run{ distance = 100 }
 local volume = s.volume.total
 warnings.keep()
-s:set{ stroke = 1.2, jump = "auto" }
+s:set{ stroke = 1.2, scheme = "explicit", jump = "auto" }
 ok((warnings.take() or ""):find("the contact outgrows its mesh", 1, true),
   "the enlargement by w:set is reported")
 ok(s.model.mesh.zone.plate > 1.3, "a longer stroke widens the plate's zone")
 is(s.volume.total, volume, "w:set of a longer stroke does not change the volume")
 s:run{ distance = 120 }
 ok(off(s.volume.total, 1e-8 * 100 * 120) < 1e-9, "a longer stroke: the run continues")
-local light = wear{ jump = "auto" }
+local light = wear{ scheme = "explicit" }
 light:step()
 volume = light.volume.total
 light:set{ load = 2 }
@@ -141,7 +141,7 @@ ok((warnings.take() or ""):find("chosen for another load: give the model's field
 
 -- Tests that the run is unchanged if no larger mesh is possible.
 local full = wear{ model = { radius = 1, mesh = { size = 0.05, zone = { cylinder = 1.6, plate = 1.6 } } },
-  alpha = 1, k = 4e-6, jump = "auto" }
+  alpha = 1, k = 4e-6, scheme = "explicit" }
 local fine, message = pcall(full.run, full)
 local at, pressure = full.distance, full.p_center
 tap.holds(message, { "of its wear box of 4 rows of 0.0625 mm, the largest number that fits; use smaller steps",
@@ -157,7 +157,7 @@ local function on_layers(rows)
   local layers = {}
   for i, k in ipairs{ 4e-9, 1e-9, 8e-9 } do layers[i] = { thickness = 1e-4 * i, material = { E = 200e3, nu = 0.3, k = k } } end
   return wear{ model = { upper = body.cylinder{ k = 0 }, lower = body.block{ k = 2e-8, layers = layers },
-    mesh = { size = 0.04, rows = rows } }, load = 100, stroke = 0.2, distance = 6000, jump = "auto" }
+    mesh = { size = 0.04, rows = rows } }, load = 100, stroke = 0.2, distance = 6000, scheme = "explicit" }
 end
 local few, many = on_layers():run{ depth = { plate = 12e-4 } }, on_layers(10):run{ depth = { plate = 12e-4 } }
 ok(off(few.p_center, many.p_center) < 1e-3 and off(few.distance, many.distance) < 1e-3,
@@ -169,11 +169,11 @@ ok(off(few.p_center, many.p_center) < 1e-3 and off(few.distance, many.distance) 
 local function pin_in_hole()
   -- model{} is called without the wear settings, so its mesh is too small for this run
   return wear{ model = model{ upper = body.disc{ radius = 9.95 }, lower = body.ring{ inner = 10, outer = 20 } }, load = 1000,
-    stroke = 0.1, alpha = 1, k = 1e-7, distance = 1000, jump = "auto", geometry = "frozen" }
+    stroke = 0.1, alpha = 1, k = 1e-7, distance = 1000, scheme = "explicit", geometry = "frozen" }
 end
 local function ball(zone)
   return wear{ model = model{ geometry = "axisymmetric", radius = 10, mesh = { size = 0.02, zone = zone } }, load = 50,
-    slide = "z", alpha = 1, k = 1e-7, distance = 100, jump = "auto" }
+    slide = "z", alpha = 1, k = 1e-7, distance = 100, scheme = "explicit" }
 end
 local pin = pin_in_hole():run()
 ok(pin.done and pin.update < 50, "a pin in a hole wears beyond the edge of its zone")
@@ -210,7 +210,7 @@ for what, steps in pairs{ ["automatic steps"] = { jump = "auto" }, ["implicit on
   ok(off(even.depth.plate, 1e-8 * 100 * 1e5 / 20) < 1e-12,
     "the depth is k times load times distance over the width")
 end
-local soft = over_plate{ load = 10, jump = "auto", model = { upper = body.cylinder{ radius = 10, E = 1e9, k = 0 },
+local soft = over_plate{ load = 10, scheme = "explicit", model = { upper = body.cylinder{ radius = 10, E = 1e9, k = 0 },
   lower = body.block{ width = 20, height = 10, E = 1e9, k = 0, layers = { { thickness = 0.1, material = material{ E = 1000, k = 1e-6 } } } } } }
 ok(soft.done and soft.update < 150, ("a soft layer on rigid bodies: %d steps"):format(soft.update))
 local rise, depth, pressure = 0, soft.history.depth_plate, soft.history.p_center
@@ -220,7 +220,7 @@ ok(off(depth[#depth], 0.05) < 1e-12, "half of the soft layer is worn")
 
 -- Tests worn surfaces that touch over a larger width than unworn surfaces: the mesh of the run is large
 -- enough from the start.
-local conformal = { k = 1e-6, distance = 660, jump = "auto", worn = { plate = function(x) return math.max(0, (0.81 - x * x) / 20) end } }
+local conformal = { k = 1e-6, distance = 660, scheme = "explicit", worn = { plate = function(x) return math.max(0, (0.81 - x * x) / 20) end } }
 local wide = wear(conformal)
 ok(wide.half_width > 0.8, ("a conformal worn surface: half width %.2f mm"):format(wide.half_width))
 ok(wide:run{ progress = false }.done, "a run from a conformal worn surface ends at its distance")

@@ -343,7 +343,7 @@ w:set{ k = 2e-8 }
 w:run()
 near(w.distance, 88 + 50 * 0.2 + 40 * 0.4, 1e-12, "other changes do not restart the loading")
 near(w.volume.total - volume, 2e-8 * 200 * 9, 1e-9, "the volume continues with the load of the block")
-w:set{ stroke = 0.2, distance = 200, jump = "auto" }
+w:set{ stroke = 0.2, distance = 200, scheme = "explicit", jump = "auto" }
 is(w.loading, false, "w:set of a stroke removes the loading")
 near(w:run().distance, 200, 1e-12, "the run continues with the stroke")
 w:set{ scheme = "implicit", tolerance = 1e-3 }:set{ scheme = "explicit" }

@@ -212,7 +212,7 @@ ok(not zoned and tostring(why):find("flat + 1.6 radius = 10.8 mm", 1, true),
 refused({ "larger than the bodies allow", "28 mm", "80 degrees to either side" },
   "a pin that rotates beyond its zone", function()
   wear{ model = { upper = body.disc{ radius = 9.95 }, lower = body.ring{ inner = 10, outer = 20 } }, load = 1000, k = 1e-7,
-    distance = 20, jump = "auto", loading = { rotation = function(t) return 75 * math.sin(2 * math.pi * t) end } }
+    distance = 20, scheme = "explicit", loading = { rotation = function(t) return 75 * math.sin(2 * math.pi * t) end } }
 end)
 refused({ "'y'" }, "a profile without heights", function() body.profile{ width = 3 } end)
 refused({ "'x'" }, "heights without positions", function() body.profile{ y = { 1, 2 } } end)

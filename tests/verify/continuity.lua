@@ -8,7 +8,7 @@ local sweep = dofile(here .. "/lib/sweep.lua")(2e-3, 1e-9)
 
 local function worn(definition)
   return function(x)
-    local d = { load = 100, stroke = 0.11, distance = 220, jump = "auto" }
+    local d = { load = 100, stroke = 0.11, distance = 220, scheme = "explicit" }
     for name, value in pairs(definition(x)) do d[name] = value end
     if d.tangential then d.stroke, d.distance = nil, nil end
     if d.scheme == "implicit" then d.jump = nil end

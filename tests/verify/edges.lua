@@ -18,7 +18,7 @@ end
 
 -- Returns the half widths of the contact [mm] at multiples of 60 mm of distance.
 local function course(case, size)
-  local w = wear{ alpha = case.alpha, stroke = case.stroke, jump = "auto", geometry = "frozen",
+  local w = wear{ alpha = case.alpha, stroke = case.stroke, scheme = "explicit", geometry = "frozen",
     model = { mesh = { size = size, zone = { cylinder = 1.2, plate = 1.2 + case.stroke } } } }
   local widths = {}
   for distance = 60, 1320, 60 do

@@ -35,7 +35,7 @@ local courses = { -- each row: name, k, its integral over 1320 mm [mm3/N], other
 }
 for _, course in ipairs(courses) do
   local name, k, integral, more = table.unpack(course)
-  local fields = merged({ k = k }, more or { jump = "auto" })
+  local fields = merged({ k = k }, more or { scheme = "explicit" })
   within(run(fields).volume.total, 100 * integral, 1e-4, name .. ": volume [mm3]")
 end
 
@@ -58,7 +58,7 @@ for _, case in ipairs(measured) do
   local fine = quantity(run(merged(fields, { jump = 1 })))
   local coarse = quantity(run(merged(fields, { jump = 2 })))
   local expected = 2 * fine - coarse
-  within(quantity(run(merged(fields, { jump = "auto" }))), expected, of_auto, name .. ", auto: volume [mm3]")
+  within(quantity(run(merged(fields, { scheme = "explicit" }))), expected, of_auto, name .. ", auto: volume [mm3]")
   within(quantity(run(merged(fields, { scheme = "implicit", tolerance = 1e-3 }))), expected, of_implicit,
     name .. ", implicit: volume [mm3]")
 end

@@ -177,7 +177,7 @@ local stroke = wear{ stroke = 0.22, increments = 400, distance = 660, jump = 50 
 within(three_points.depth.plate, stroke.depth.plate, 2e-3, "a stroke by its ends: depth of the plate [mm]")
 within(three_points.depth.cylinder, stroke.depth.cylinder, 2e-3, "a stroke by its ends: depth of the cylinder [mm]")
 within(three_points.p_center, stroke.p_center, 1e-2, "a stroke by its ends: centre pressure [MPa]")
-local long = wear{ stroke = 12, jump = "auto", geometry = "frozen" }:run()
+local long = wear{ stroke = 12, scheme = "explicit", geometry = "frozen" }:run()
 -- in the middle the whole pressure profile passes over each node once per stroke: depth = k_p L d / stroke
 local scar = long:profile("plate").h
 within(scar[#scar // 2 + 1], 0.5e-8 * 100 * 1320 / 12, 2e-3, "a stroke of 12 mm: depth of the plate [mm]")
@@ -246,6 +246,6 @@ within(law.volume.plate, law.volume.cylinder, 1e-12,
 -- Tests that a factor for each body equals a k for each body.
 local bodies_factor = wear{ alpha = 0.5, distance = 440,
   local_factor = function(body) return body == "plate" and 0.5 or 1.5 end }:run()
-local by_alpha = wear{ alpha = 0.75, distance = 440 }:run()
+local by_alpha = wear{ alpha = 0.75, distance = 440, scheme = "explicit" }:run()
 within(bodies_factor.depth.plate, by_alpha.depth.plate, 1e-9,
   "local factors of the bodies against alpha: depth [mm]")

@@ -39,7 +39,7 @@ local bush = model{ upper = body.disc{ radius = R - gap }, lower = body.ring{ in
 local function angle_of(volume) return bush_law.angle_of(R, gap, volume) end
 for _, goal in ipairs{ { 0.5, 0.09 }, { 1, 0.036 }, { 2, 0.014 } } do
   local share, off = table.unpack(goal)
-  local w = wear{ model = bush, k_cylinder = 0, k_plate = k, load = P, stroke = 0.01, jump = "auto",
+  local w = wear{ model = bush, k_cylinder = 0, k_plate = k, load = P, stroke = 0.01, scheme = "explicit",
     distance = share * R * gap / (k * P) }
   w:run()
   local e = angle_of(w.volume_plate)
@@ -56,7 +56,7 @@ end
 -- stiffness is recomputed during the run.
 for _, geometry in ipairs{ "moving", "frozen" } do
   local w = wear{ model = { upper = body.disc{ radius = R - gap }, lower = body.ring{ inner = R, outer = 20, name = "bush" } },
-    k_cylinder = 0, k_plate = k, load = P, slide = "z", jump = "auto", distance = R * gap / (k * P), geometry = geometry }:run()
+    k_cylinder = 0, k_plate = k, load = P, slide = "z", scheme = "explicit", distance = R * gap / (k * P), geometry = geometry }:run()
   below(bush_law.deviation(w, R, gap), 0.041,
     ("bush on the default mesh, %s geometry: deviation of the pressures from the cosine law"):format(geometry))
 end

@@ -82,7 +82,7 @@ local narrow = model{ geometry = "axisymmetric", axis = 40, mesh = { size = 0.03
 within(contact{ model = through_gmsh(narrow, { axis = 40 }), load = 25000 }.p_center, contact{ model = narrow, load = 25000 }.p_center,
   1e-9, "ring from Gmsh: centre pressure [MPa]")
 local function worn(m)
-  return wear{ model = m, load = 50, slide = "z", alpha = 1, track = 20, k = 1e-8, cycles = 20, jump = "auto", geometry = "frozen" }:run()
+  return wear{ model = m, load = 50, slide = "z", alpha = 1, track = 20, k = 1e-8, cycles = 20, scheme = "explicit", geometry = "frozen" }:run()
 end
 local ours, theirs = worn(revolved), worn(given)
 within(theirs.p_center, ours.p_center, 1e-3, "pin on disc from Gmsh: centre pressure after wear [MPa]")
@@ -146,7 +146,7 @@ ok(hexes(half) == hexes(again), "pin on disc: a run opened from a file continues
 -- phi / (2 pi), where phi is the angle of rotation. The pressure is unbounded on the axis.
 local angle = 3e4
 local spin = { model = { geometry = "axisymmetric", mesh = { size = 0.04, height = 0.04, rows = 4, zone = { cylinder = 2.8, plate = 2.8 } } },
-  load = 50, slide = "z", alpha = 0.3, k = k, spin = 1, distance = 100, jump = "auto" }
+  load = 50, slide = "z", alpha = 0.3, k = k, spin = 1, distance = 100, scheme = "explicit" }
 local begun = wear(spin):run()
 within(begun.volume_cylinder, 0.3 * k * begun.load_distance, 1e-12,
   "spin: volume of the ball by the integral of p r dA dphi [mm3]")
@@ -168,7 +168,7 @@ below(worst, 0.05, "spin: largest relative error of the pressures against P / (2
 -- Tests thrust rings: a spinning ring wears more at its outer edge, and a ring with equal sliding distance at
 -- all points wears like a line contact.
 local thrust = { model = { geometry = "axisymmetric", axis = 40, mesh = { fineness = 1 } }, load = 100 * 2 * pi * 40, slide = "z",
-  alpha = 0.5, k = 1e-7, stroke = 1, distance = 400, jump = "auto" }
+  alpha = 0.5, k = 1e-7, stroke = 1, distance = 400, scheme = "explicit" }
 local even = wear(thrust):run()
 thrust.spin = 40
 local turning = wear(thrust):run()

@@ -57,7 +57,7 @@ below(math.max(math.abs(x1 - (c * x0 - s * (y0 - R))), math.abs(y1 - (R + s * x0
 local function deviation(w, at) return bush_law.deviation(w, R, gap, at) end
 local function swing(t) return 15 * math.sin(2 * math.pi * t) end
 local function run(m, angle, share, to_bush)
-  local w = wear{ model = m, k_cylinder = k * to_bush, k_plate = k * (1 - to_bush), load = P, jump = "auto", load_angle = angle,
+  local w = wear{ model = m, k_cylinder = k * to_bush, k_plate = k * (1 - to_bush), load = P, scheme = "explicit", load_angle = angle,
     loading = { rotation = swing }, distance = share * R * gap / (k * P) }
   w:run()
   return w

@@ -106,7 +106,7 @@ for _, stroke in ipairs{ 0.04, 0.2 } do
   local law = { model = m, load = 10, stroke = stroke, alpha = 0.5, distance = 1320, law = "power", law_exponent = 1, law_pressure = 300 }
   local implicit = wear(law)
   implicit:run()
-  law.jump = "auto"
+  law.scheme = "explicit"
   local explicit = wear(law)
   explicit:run()
   within(implicit.depth.ball, explicit.depth.ball, 1e-3,

@@ -124,7 +124,7 @@ local function run(changes)
   return w
 end
 local usual = run{}
-local explicit = run{ jump = "auto" }
+local explicit = run{ scheme = "explicit" }
 within(explicit.depth.ball, usual.depth.ball, 0.001,
   "automatic explicit against implicit steps: depth of the ball [mm]")
 within(explicit.depth.block, usual.depth.block, 0.001,

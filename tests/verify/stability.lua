@@ -115,7 +115,7 @@ for name, fields in pairs{
     k = function(s) return 1e-8 * math.exp(-s.distance / 500) end },
   ["k that increases below the limit"] = { jump = 20, distance = 660,
     k = { distance = { 0, 660 }, value = { 1e-9, 3e-8 } } },
-  ["auto"] = { jump = "auto", stroke = 0.22, distance = 400, k = { distance = { 0, 660 }, value = { 1e-9, 5e-8 } } },
+  ["auto"] = { scheme = "explicit", stroke = 0.22, distance = 400, k = { distance = { 0, 660 }, value = { 1e-9, 5e-8 } } },
   ["sliding out of the plane, few increments"] = { slide = "z", stroke = 1, increments = 10, jump = 2,
     distance = 100 },
 } do

@@ -147,7 +147,7 @@ for _, case in ipairs{ { "steel on steel", {}, { alpha = 0.5, load = 100 } },
   { "cylinder alone", {}, { alpha = 1, load = 100 } }, { "s = 4a", {}, { alpha = 0.75, stroke = 0.44 } },
   { "steel on nu = .4999", { plate = soft }, { alpha = 0.5, load = 1.2, k = 1e-6 } } } do
   for _, size in ipairs{ 0.02, case[1] == "steel on steel" and 0.01 or nil } do
-    local def = { stroke = 0.11, jump = "auto", distance = 660 }
+    local def = { stroke = 0.11, scheme = "explicit", distance = 660 }
     for name, value in pairs(case[3]) do def[name] = value end
     def.model = { plate = case[2].plate, mesh = { size = size, height = 1.25 * size } }
     local w = wear(def)

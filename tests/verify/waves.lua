@@ -62,7 +62,7 @@ end
 -- Tests the decay of waves in full contact: their amplitude, without the form of the profile, decreases as
 -- exp(-d / d_c) with d_c = l / (pi k E*).
 local decay = length / (math.pi * 1e-8 * 109890.1)
-local flattened = wear{ model = wavy(22, 2, 1.2), load = 400, k_cylinder = 1e-8, k_plate = 0, stroke = 0.01, jump = "auto",
+local flattened = wear{ model = wavy(22, 2, 1.2), load = 400, k_cylinder = 1e-8, k_plate = 0, stroke = 0.01, scheme = "explicit",
   geometry = "frozen", distance = decay / 2 }
 flattened:run()
 local h = flattened:profile("profile").h

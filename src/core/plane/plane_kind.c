@@ -236,6 +236,7 @@ const arc_kind arc_plane_kind = {
     .end_model = arc_elastic_destroy,
     .model_bytes = arc_elastic_bytes,
     .mesh = arc_elastic_mesh,
+    .usual = arc_plane_usual,
     .check = arc_plane_check,
     .manner = arc_plane_manner,
     .increments = arc_wear_def_increments,

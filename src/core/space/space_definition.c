@@ -123,6 +123,7 @@ arc_status arc_space_check(const arc_wear_def *d, const arc_model_def *model, ar
 /* --- derived values */
 
 void arc_space_usual(arc_wear_def *def) {
+  if (def->tolerance == 0 && arc_law_properties[def->law] & ARC_LAW_JUMPS) return;
   def->scheme = ARC_IMPLICIT;
   if (def->tolerance == 0) def->tolerance = ARC_USUAL_TOLERANCE;
 }

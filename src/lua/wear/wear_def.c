@@ -102,6 +102,34 @@ static void check_ahead(lua_State *L, args_location location, const wear_request
         args_show_number(L, request->distance_before), args_show_number(L, distance));
 }
 
+/* Sets the settings that control the steps to the defaults of the list of settings. */
+static void forget_steps(arc_wear_def *def) {
+  const arc_wear_def fresh = arc_wear_default();
+  def->scheme = fresh.scheme;
+  def->tolerance = fresh.tolerance;
+  def->jump = fresh.jump;
+  def->jump_function = fresh.jump_function;
+}
+
+/* Returns true if the steps of a run are those of a run without own settings. */
+static int has_usual_steps(const arc_wear *wear) {
+  const arc_wear_def *def = arc_wear_definition(wear);
+  arc_wear_def usual = *def;
+  forget_steps(&usual);
+  arc_wear_def_usual(&usual, arc_model_definition(arc_wear_model(wear)));
+  return def->scheme == usual.scheme && def->tolerance == usual.tolerance &&
+         def->jump == usual.jump && !def->jump_function;
+}
+
+/* Returns true if the user set a jump other than "auto". */
+static int chooses_jump(lua_State *L, int index) {
+  const int type = args_get(L, index, "jump");
+  const int chooses =
+      type != LUA_TNIL && !(type == LUA_TSTRING && strcmp(lua_tostring(L, -1), "auto") == 0);
+  lua_pop(L, 1);
+  return chooses;
+}
+
 static wear_request begin_request(lua_State *L, int index, int changed, args_location location) {
   wear_request request = {.def = arc_wear_default()};
   if (!changed) return request;
@@ -109,6 +137,10 @@ static wear_request begin_request(lua_State *L, int index, int changed, args_loc
   refuse_changes(L, index, location);
   request.own_k = request.own_steps = 1;
   request.def = *arc_wear_definition(wear);
+  if (has_usual_steps(wear)) {
+    request.own_steps = 0; /* a change may make other steps better */
+    forget_steps(&request.def);
+  }
   request.distance_before = arc_wear_last(wear)->distance;
   request.cycle_before = arc_wear_last(wear)->cycle;
   return request;
@@ -242,8 +274,7 @@ wear_request wear_request_read(lua_State *L, int index, int changed) {
   list_settings(settings, changed);
   read_bodies(L, index, location, &request);
   request.own_k = request.own_k || args_given(L, index, "k") || args_given(L, index, "alpha");
-  request.own_steps =
-      request.own_steps || args_given(L, index, "scheme") || args_given(L, index, "jump");
+  request.own_steps = request.own_steps || args_given(L, index, "scheme") || chooses_jump(L, index);
   refuse_space(L, index, location);
   refuse_function(L, index, location, "load",
                   "a number > 0 N, or loading = { load = f } for a load that varies in a cycle");
