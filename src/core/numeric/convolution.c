@@ -318,7 +318,12 @@ static void store_spectrum(const convolution *c, convolution_work *w, double *u,
 }
 
 void arc_convolution_apply(const convolution *c, convolution_work *w, const double *p, double *u) {
-  load_spectrum(c, w, p, c->columns);
+  arc_convolution_apply_strided(c, w, c->columns, p, u);
+}
+
+void arc_convolution_apply_strided(const convolution *c, convolution_work *w, int stride,
+                                   const double *p, double *u) {
+  load_spectrum(c, w, p, stride);
   for (int first = 0; first < c->half; first += block) {
     const int width = block_width(c, first);
     const size_t pairs = (size_t)c->box_rows * (size_t)width;
@@ -330,7 +335,7 @@ void arc_convolution_apply(const convolution *c, convolution_work *w, const doub
       multiply(pairs, symbol, (double *)w->waves);
     raise_block(c, w, first, width);
   }
-  store_spectrum(c, w, u, c->columns);
+  store_spectrum(c, w, u, stride);
 }
 
 void arc_convolution_apply_pair(const convolution *const k[3], convolution_work *const work[2],

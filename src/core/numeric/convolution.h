@@ -51,6 +51,10 @@ void arc_convolution_work_free(convolution_work **work);
 void arc_convolution_apply(const convolution *c, convolution_work *work, const double *p,
                            double *u);
 
+/* Computes the convolution of fields whose consecutive rows begin `stride` numbers apart. */
+void arc_convolution_apply_strided(const convolution *c, convolution_work *work, int stride,
+                                   const double *p, double *u);
+
 /* Computes two convolutions with a symmetric matrix of three kernels: u[0] = k[0] * p[0] + k[1] *
  * p[1] and u[1] = k[1] * p[0] + k[2] * p[1]. Only two forward and two backward transforms are
  * needed. The kernels must have the same window, and no kernel may be odd in only one direction. u

@@ -153,10 +153,24 @@ arc_status arc_cerruti_kernels(arc_halfspace *h, const space_shear_kernels **fou
   return status;
 }
 
+/* Creates the preconditioners of shear along x and z, without the coupling between both. */
+static arc_status fill_inverse(const arc_halfspace_def *d, int nx, int nz, convolution *inverse[2],
+                               arc_error *error) {
+  arc_status status = ARC_OK;
+  for (int i = 0; i < 2 && status == ARC_OK; i++) {
+    const lag_context context = {d, i == 0 ? XX : ZZ};
+    if (!inverse[i])
+      status = arc_space_make_inverse(nx, nz, lag_along, &context, &inverse[i], error);
+  }
+  return status;
+}
+
 arc_status arc_cerruti_in_box(arc_halfspace *h, const space_box *box, arc_error *error) {
   convolution **along = h->shear->along[box->level_x][box->level_z];
+  convolution **inverse = h->shear->inverse[box->level_x][box->level_z];
   pthread_mutex_lock(&h->lock);
-  const arc_status status = fill_along(&h->def, box->nx, box->nz, along, error);
+  arc_status status = fill_along(&h->def, box->nx, box->nz, along, error);
+  if (status == ARC_OK) status = fill_inverse(&h->def, box->nx, box->nz, inverse, error);
   pthread_mutex_unlock(&h->lock);
   return status;
 }
@@ -167,7 +181,10 @@ void arc_cerruti_destroy(space_shear_kernels **kernels) {
   if (!k) return;
   for (int x = 0; x < SPACE_LEVELS; x++)
     for (int z = 0; z < SPACE_LEVELS; z++)
-      for (int i = 0; i < 3; i++) arc_convolution_destroy(&k->along[x][z][i]);
+      for (int i = 0; i < 3; i++) {
+        arc_convolution_destroy(&k->along[x][z][i]);
+        if (i < 2) arc_convolution_destroy(&k->inverse[x][z][i]);
+      }
   for (int i = 0; i < 2; i++) arc_convolution_destroy(&k->couple[i]);
   arc_convolution_work_free(&k->work);
   free(k);
@@ -184,6 +201,14 @@ void arc_cerruti_shear_in(const arc_halfspace *h, const space_box *box, const do
   const double *const loads[2] = {q[0] + from, q[1] + from};
   double *const moves[2] = {u[0] + from, u[1] + from};
   arc_convolution_apply_pair(along_both, work, h->def.nz, loads, moves);
+}
+
+void arc_cerruti_precondition(const arc_halfspace *h, const space_box *box, double *const r[2]) {
+  convolution *const *k = h->shear->inverse[box->level_x][box->level_z];
+  convolution_work *const work[2] = {h->work[0], h->shear->work};
+  const size_t from = (size_t)box->x * (size_t)h->def.nz + (size_t)box->z;
+  for (int i = 0; i < 2; i++)
+    arc_convolution_apply_strided(k[i], work[i], h->def.nz, r[i] + from, r[i] + from);
 }
 
 void arc_cerruti_shear(const arc_halfspace *h, const double *const q[2], double *const u[2]) {

@@ -32,6 +32,10 @@ void arc_cerruti_shear(const arc_halfspace *h, const double *const q[2], double 
 arc_status arc_cerruti_in_box(arc_halfspace *h, const space_box *box, arc_error *error);
 void arc_cerruti_shear_in(const arc_halfspace *h, const space_box *box, const double *const q[2],
                           double *const u[2]);
+/* Multiplies r by an approximate inverse of C, which is symmetric and positive definite, at the
+ * cells of a box after arc_cerruti_in_box. r must be 0 at the cells of the box that carry no shear.
+ */
+void arc_cerruti_precondition(const arc_halfspace *h, const space_box *box, double *const r[2]);
 /* Computes the displacement u [window] [mm] along one axis (0: x, 1: z) due to the shear along
  * the same axis. */
 void arc_cerruti_along(const arc_halfspace *h, int axis, const double *q, double *u);

@@ -133,17 +133,14 @@ arc_status arc_space_convolution(arc_halfspace *h, int level_x, int level_z,
   return status;
 }
 
-/* Creates the preconditioner from the inverse of the symbol on a box that is a quarter larger than
- * the window. Values below the smallest positive value are replaced by this value, so the inverse
- * is positive definite. */
-static arc_status make_inverse(arc_halfspace *h, int rows, int columns, convolution **made,
-                               arc_error *error) {
+arc_status arc_space_make_inverse(int rows, int columns, lag_fn kernel, const void *context,
+                                  convolution **made, arc_error *error) {
   const int box_x = arc_transform_length(rows + rows / 4),
             box_z = arc_transform_length(columns + columns / 4);
   const size_t count = ((size_t)box_x / 2 + 1) * ((size_t)box_z / 2 + 1);
   double *symbol = malloc(count * sizeof *symbol), least = INFINITY;
   if (!symbol) return arc_fail(error, ARC_MEMORY, "out of memory for the preconditioner");
-  arc_status status = arc_convolution_symbol(box_x, box_z, lag, h, symbol, error);
+  arc_status status = arc_convolution_symbol(box_x, box_z, kernel, context, symbol, error);
   for (size_t k = 0; k < count && status == ARC_OK; k++)
     if (symbol[k] > 0) least = fmin(least, symbol[k]);
   for (size_t k = 0; k < count && status == ARC_OK; k++) symbol[k] = 1 / fmax(symbol[k], least);
@@ -158,7 +155,8 @@ arc_status arc_space_inverse(arc_halfspace *h, int level_x, int level_z, const c
   convolution **kept = &h->inverse[level_x][level_z];
   arc_status status = ARC_OK;
   pthread_mutex_lock(&h->lock);
-  if (!*kept) status = make_inverse(h, h->level_x[level_x], h->level_z[level_z], kept, error);
+  if (!*kept)
+    status = arc_space_make_inverse(h->level_x[level_x], h->level_z[level_z], lag, h, kept, error);
   *found = *kept;
   pthread_mutex_unlock(&h->lock);
   return status;

@@ -19,6 +19,7 @@ typedef struct space_shear_kernels {
       *along[SPACE_LEVELS][SPACE_LEVELS]
             [3]; /* kernels for each box size, NULL until the first use: displacement along x due to
                     shear qx, along x due to qz (equal to z due to qx), along z due to qz */
+  convolution *inverse[SPACE_LEVELS][SPACE_LEVELS][2]; /* preconditioners for qx and for qz */
   convolution *couple[2]; /* change of the gap due to qx and due to qz; NULL for like bodies
                              (arc_cerruti_unlike) */
   convolution_work *work; /* second workspace, for convolutions of two fields at once */
@@ -71,6 +72,14 @@ arc_status arc_space_convolution(arc_halfspace *h, int level_x, int level_z,
                                  const convolution **found, arc_error *error);
 arc_status arc_space_inverse(arc_halfspace *h, int level_x, int level_z, const convolution **found,
                              arc_error *error);
+
+/* Creates a preconditioner for boxes of rows x columns cells: the convolution with the inverse of
+ * an even kernel's symbol on a box that is a quarter larger. Values of the symbol below its
+ * smallest positive value are replaced by this value, so the inverse is positive definite. Error:
+ * ARC_MEMORY.
+ */
+arc_status arc_space_make_inverse(int rows, int columns, lag_fn kernel, const void *context,
+                                  convolution **made, arc_error *error);
 
 /* Returns true if the surface of a body is an endless plane, without recess, wear and map. */
 int arc_space_is_flat(const arc_halfspace *h, const double *const depth[ARC_BODIES], arc_body body);

@@ -9,7 +9,7 @@
 #include <string.h>
 
 arc_status arc_stick_slip_begin(stick_slip_work *w, int cells, arc_error *error) {
-  enum { fields = 15 };
+  enum { fields = 19 };
   const size_t n = (size_t)cells;
   *w = (stick_slip_work){.block = calloc(fields * n, sizeof *w->block),
                          .state = calloc(n, sizeof *w->state),
@@ -18,7 +18,8 @@ arc_status arc_stick_slip_begin(stick_slip_work *w, int cells, arc_error *error)
     arc_stick_slip_end(w);
     return arc_fail(error, ARC_MEMORY, "out of memory for the shear of %d cells", cells);
   }
-  double **const pair[] = {w->q, w->slip, w->tangent, w->r, w->z, w->d, w->a}, *at = w->block;
+  double **const pair[] = {w->q, w->slip, w->tangent, w->r, w->z, w->d, w->a, w->y[0], w->y[1]},
+                 *at = w->block;
   for (size_t k = 0; k < sizeof pair / sizeof *pair; k++)
     for (int i = 0; i < 2; i++, at += n) pair[k][i] = at;
   w->diagonal = at;

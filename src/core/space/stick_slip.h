@@ -32,13 +32,13 @@ typedef struct stick_slip_count {
                    and slip */
 } stick_slip_count;
 
-/* A cell that carries shear in a Newton step, with symmetric matrices as xx, xz and zz: the
- * projection onto its free directions (x and z if it sticks, the tangent if it slips), and this
- * projection divided by the operator's diagonal. */
+/* A cell that carries shear in a Newton step. */
 typedef struct stick_slip_site {
   int cell;
-  double free[3], inverse[3];
-  double slip; /* slip divided by the friction limit, 0 if the cell sticks */
+  double free[3]; /* projection onto the free directions (x and z if the cell sticks, the tangent if
+                     it slips), a symmetric matrix as xx, xz and zz */
+  double slip;    /* slip divided by the friction limit, 0 if the cell sticks */
+  double share;   /* square root of the operator's diagonal without slip, divided by the diagonal */
 } stick_slip_site;
 
 /* Initial values, results and workspace of a stick-slip solution. */
@@ -50,9 +50,10 @@ typedef struct stick_slip_work {
   double *tangent[2];      /* [window] unit vectors at cells that slip */
   double *diagonal;        /* [window] slip divided by the friction limit, at cells that slip */
   double *r[2], *z[2], *d[2],
-      *a[2];     /* residual, preconditioned residual, search direction, operator times direction */
-  space_box box; /* box of the cells that may carry shear; outside this box `a` is 0 during the
-                    solution */
+      *a[2]; /* residual, preconditioned residual, search direction, operator times direction */
+  double *y[2][2]; /* preconditioned unit motions along x and z */
+  space_box box;   /* box of the cells that may carry shear; outside this box `a` is 0 during the
+                      solution */
   stick_slip_site *site; /* [sites] cells that carry shear in the present Newton step */
   int sites;
   double *block;

@@ -1,5 +1,5 @@
 /* Solves the linear problem of a Newton step for stick and slip by conjugate gradients,
- * preconditioned by the operator's diagonal. A projection keeps the resultant forces constant. */
+ * preconditioned by Fourier transforms. A projection keeps the resultant forces constant. */
 #include "core/space/stick_slip.h"
 
 #include <math.h>
@@ -22,12 +22,11 @@ static void times(const double matrix[3], double x, double z, double result[2]) 
 
 static stick_slip_site site_of(const stick_slip_problem *p, const stick_slip_work *w, int k) {
   const double *self = p->h->shear->self;
-  if (w->state[k] == SHEAR_STICK)
-    return (stick_slip_site){k, {1, 0, 1}, {1 / self[0], 0, 1 / self[1]}, 0};
+  if (w->state[k] == SHEAR_STICK) return (stick_slip_site){k, {1, 0, 1}, 0, 1};
   const double t[2] = {w->tangent[0][k], w->tangent[1][k]};
   const double xx = t[0] * t[0], xz = t[0] * t[1], zz = t[1] * t[1];
-  const double whole = self[0] * xx + self[1] * zz + w->diagonal[k];
-  return (stick_slip_site){k, {xx, xz, zz}, {xx / whole, xz / whole, zz / whole}, w->diagonal[k]};
+  const double alone = self[0] * xx + self[1] * zz;
+  return (stick_slip_site){k, {xx, xz, zz}, w->diagonal[k], sqrt(alone / (alone + w->diagonal[k]))};
 }
 
 /* Lists the cells that carry shear; all other cells keep q = 0. */
@@ -46,25 +45,58 @@ static double dot(const stick_slip_work *w, double *const a[2], double *const b[
   return sum;
 }
 
+/* Projects v onto the free directions of the cells and multiplies by their shares. */
+static void project(const stick_slip_work *w, double *const v[2], double *const result[2]) {
+  for (int s = 0; s < w->sites; s++) {
+    const stick_slip_site *at = &w->site[s];
+    const int k = at->cell;
+    double part[2];
+    times(at->free, v[0][k], v[1][k], part);
+    for (int i = 0; i < 2; i++) result[i][k] = at->share * part[i];
+  }
+}
+
+/* Computes z = M^-1 v: the approximate inverse of the compliance to shear between two projections.
+ * Cells that slip have a larger diagonal than this compliance, and therefore smaller shares. */
+static void inverse_times(const stick_slip_problem *p, const stick_slip_work *w, double *const v[2],
+                          double *const z[2]) {
+  for (int i = 0; i < 2; i++) memset(z[i], 0, (size_t)cells_of(p) * sizeof(double));
+  project(w, v, z);
+  arc_cerruti_precondition(p->h, &w->box, z);
+  project(w, z, z);
+}
+
+static void sums_over_sites(const stick_slip_work *w, double *const v[2], double sum[2]) {
+  sum[0] = sum[1] = 0;
+  for (int s = 0; s < w->sites; s++)
+    for (int i = 0; i < 2; i++) sum[i] += v[i][w->site[s].cell];
+}
+
 /* Data of the projection that does not change the given forces. A 2 x 2 matrix maps a motion to the
- * sums over the cells of M^-1 times this motion, with the operator's diagonal M; `inverse` is the
- * inverse of this matrix. */
+ * sums over the cells of M^-1 times this motion; `inverse` is the inverse of this matrix. */
 typedef struct holding {
   double inverse[2][2];
   int singular;
 } holding;
 
-static holding find_holding(const stick_slip_problem *p, const stick_slip_work *w) {
-  static const double unit[2][2] = {{1, 0}, {0, 1}};
+/* Computes the preconditioned unit motions w->y along the axes with given forces. */
+static void find_motions(const stick_slip_problem *p, stick_slip_work *w) {
+  for (int i = 0; i < 2; i++) {
+    if (!p->by_force[i]) continue;
+    for (int k = 0; k < cells_of(p); k++) {
+      w->d[i][k] = 1;
+      w->d[1 - i][k] = 0;
+    }
+    inverse_times(p, w, w->d, w->y[i]);
+  }
+}
+
+static holding find_holding(const stick_slip_problem *p, stick_slip_work *w) {
   static const double least = 1e-9;
   double g[2][2] = {{0, 0}, {0, 0}};
-  for (int s = 0; s < w->sites; s++)
-    for (int i = 0; i < 2; i++) {
-      double z[2];
-      if (!p->by_force[i]) continue;
-      times(w->site[s].inverse, unit[i][0], unit[i][1], z);
-      for (int j = 0; j < 2; j++) g[i][j] += p->by_force[j] ? z[j] : 0;
-    }
+  find_motions(p, w);
+  for (int i = 0; i < 2; i++)
+    if (p->by_force[i]) sums_over_sites(w, w->y[i], g[i]);
   holding h = {{{0, 0}, {0, 0}}, 0};
   if (p->by_force[0] && p->by_force[1]) {
     const double det = g[0][0] * g[1][1] - g[0][1] * g[1][0], trace = g[0][0] + g[1][1];
@@ -72,7 +104,7 @@ static holding find_holding(const stick_slip_problem *p, const stick_slip_work *
     if (h.singular) return h;
     h.inverse[0][0] = g[1][1] / det;
     h.inverse[1][1] = g[0][0] / det;
-    h.inverse[0][1] = h.inverse[1][0] = -g[0][1] / det;
+    h.inverse[0][1] = h.inverse[1][0] = -(g[0][1] + g[1][0]) / 2 / det;
     return h;
   }
   for (int i = 0; i < 2; i++)
@@ -91,23 +123,17 @@ static void motion_of(const holding *h, const double sum[2], double motion[2]) {
 /* Computes z = M^-1 (r - motion) from the residual r of all cells. The motion is the same for all
  * cells. Along an axis with a given force its value is such that the sum of z over the cells is 0;
  * along other axes it is 0. */
-static void precondition(const stick_slip_work *w, const holding *h, double motion[2]) {
-  double sum[2] = {0, 0};
-  for (int s = 0; s < w->sites; s++) {
-    const int k = w->site[s].cell;
-    double z[2];
-    times(w->site[s].inverse, w->r[0][k], w->r[1][k], z);
-    sum[0] += z[0];
-    sum[1] += z[1];
-  }
+static void precondition(const stick_slip_problem *p, const stick_slip_work *w, const holding *h,
+                         double motion[2]) {
+  double sum[2];
+  inverse_times(p, w, w->r, w->z);
+  sums_over_sites(w, w->z, sum);
   motion_of(h, sum, motion);
-  for (int s = 0; s < w->sites; s++) {
-    const int k = w->site[s].cell;
-    double z[2];
-    times(w->site[s].inverse, w->r[0][k] - motion[0], w->r[1][k] - motion[1], z);
-    w->z[0][k] = z[0];
-    w->z[1][k] = z[1];
-  }
+  for (int i = 0; i < 2; i++)
+    for (int s = 0; s < w->sites && p->by_force[i]; s++) {
+      const int k = w->site[s].cell;
+      for (int j = 0; j < 2; j++) w->z[j][k] -= motion[i] * w->y[i][j][k];
+    }
 }
 
 /* Computes a = C d + D d, projected onto the free directions, with the compliance C to shear and
@@ -144,13 +170,12 @@ static void hold_forces(const stick_slip_problem *p, stick_slip_work *w, const h
   }
   motion_of(h, lacking, motion);
   if (motion[0] == 0 && motion[1] == 0) return;
-  for (int s = 0; s < w->sites; s++) {
-    const int k = w->site[s].cell;
-    double z[2];
-    times(w->site[s].inverse, motion[0], motion[1], z);
-    w->d[0][k] = z[0];
-    w->d[1][k] = z[1];
-  }
+  for (int j = 0; j < 2; j++) memset(w->d[j], 0, (size_t)cells_of(p) * sizeof(double));
+  for (int i = 0; i < 2; i++)
+    for (int s = 0; s < w->sites && p->by_force[i]; s++) {
+      const int k = w->site[s].cell;
+      for (int j = 0; j < 2; j++) w->d[j][k] += motion[i] * w->y[i][j][k];
+    }
   apply(p, w, count);
   step(w, 1);
 }
@@ -187,7 +212,6 @@ int arc_stick_slip_newton(const stick_slip_problem *p, stick_slip_work *w, doubl
   const holding h = find_holding(p, w);
   double motion[2], product = 0;
   if (h.singular) return 0;
-  for (int i = 0; i < 2; i++) memset(w->d[i], 0, bytes);
   for (int s = 0; s < w->sites; s++) {
     const int k = w->site[s].cell;
     double part[2];
@@ -196,7 +220,7 @@ int arc_stick_slip_newton(const stick_slip_problem *p, stick_slip_work *w, doubl
     w->r[1][k] = part[1];
   }
   hold_forces(p, w, &h, count);
-  precondition(w, &h, motion);
+  precondition(p, w, &h, motion);
   const double wanted = fmax(least, share * largest_residual(w, motion));
   for (int i = 0; i < 2; i++) memset(w->d[i], 0, bytes);
   for (int k = 0; k < most_steps && largest_residual(w, motion) > wanted; k++) {
@@ -212,7 +236,7 @@ int arc_stick_slip_newton(const stick_slip_problem *p, stick_slip_work *w, doubl
     const double curvature = dot(w, w->d, w->a);
     if (!(curvature > 0)) break;
     step(w, product / curvature);
-    precondition(w, &h, motion);
+    precondition(p, w, &h, motion);
     count->iterations++;
   }
   for (int i = 0; i < 2; i++) w->xi[i] -= motion[i];
