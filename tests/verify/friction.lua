@@ -394,3 +394,15 @@ for name, bodies in pairs{ ["aluminium plate"] = { plate = { E = 70e3, nu = 0.33
       ("%s, automatic mesh, %g of full slip: energy of a cycle [N mm]"):format(name, share))
   end
 end
+
+-- Tests that the displacement under a force grows with the size of the plate, and the energy of a cycle does not.
+local function of_plate(width)
+  local m = model{ lower = body.block{ width = width, height = width / 2 }, upper = body.cylinder{ radius = 10 } }
+  local w = wear{ model = m, load = load, friction = mu, tangential = 30, cycles = 1 }
+  w:step()
+  return contact{ model = m, load = load, friction = mu }:move{ tangential = 30 }.x, w.cycle_energy
+end
+local near, energy = of_plate(20)
+local far, same = of_plate(40)
+within(far / near, 1.05, 0.01, "displacement with a plate twice as large, over that with the plate")
+within(same, energy, 0.001, "energy of a cycle with a plate twice as large [N mm]")
