@@ -213,3 +213,8 @@ fails(function()
   contact{ model = ball_on(body.block{ height = 1 }), load = 10, friction = 0.1 }
 end, { "field 'friction'", "rigid base" }, "friction on a rigid base")
 fails(function() c:stress{ y = 0.05 } end, "friction in 3-D", "stresses below the surface with friction")
+
+-- Tests that motions are proportional to small forces.
+for _, force in ipairs{ 1e-12, 1e-9, 1e-6 } do
+  near(c:move{ tangential = force }.x / force, c:move{ tangential = 1e-3 }.x / 1e-3, 1e-9, ("motion under a force of %g N"):format(force))
+end

@@ -181,6 +181,7 @@ static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char 
                           stick_slip_count *count, arc_error *error) {
   enum { most_sets = 60, patience = 25 };
   static const double few = 0.03, unsettled = 0.1, settled = 3e-4;
+  static const double rounding = 1e-14; /* force error that needs no Newton step at all */
   const int cells = carrying(p);
   double missed, each[2];
   for (int pass = 0; pass < most_sets; pass++) {
@@ -191,7 +192,8 @@ static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char 
     changes += end_slip(p, w, wanted, fresh);
     const double residual = arc_stick_slip_residual(p, w);
     missed = force_error(p, w, each);
-    const int held = missed <= p->tolerance, solved = held && residual <= wanted;
+    const int held = missed <= (pass == 0 ? rounding : p->tolerance);
+    const int solved = held && residual <= wanted;
     count->sets++;
     if (changes == 0 && solved) return ARC_OK;
     if (pass >= patience && held && changes <= few * cells) {
