@@ -118,13 +118,13 @@ typedef struct arc_loading {
 } arc_loading;
 
 #define ARC_WEAR_SETTINGS(NUMBER, WHOLE, CHOICE, QUANTITY, FUNCTION, OTHER)                        \
-  CHOICE(                                                                                          \
-      scheme, scheme, ARC_EXPLICIT, ARC_OPTIONAL,                                                  \
-      "How an update computes the wear: \"explicit\", from the pressures at its start; "           \
-      "\"implicit\", from the pressures at its end, which allows longer steps (see order). By "    \
-      "default steps are implicit. They are explicit where this is faster or more accurate: "      \
-      "if jump is a number or a function, for law = \"threshold\" and, in 2-D, with friction, "    \
-      "slip = \"total\", a local_factor, update = \"increment\" or loadings that do not repeat.")  \
+  CHOICE(scheme, scheme, ARC_EXPLICIT, ARC_OPTIONAL,                                               \
+         "How an update computes the wear: \"explicit\", from the pressures at its start; "        \
+         "\"implicit\", from the pressures at its end, which allows longer steps (see order). By " \
+         "default steps are implicit. They are explicit where this is faster or more accurate: "   \
+         "if jump is a number or a function, for law = \"threshold\" and, in 2-D, with friction, " \
+         "slip = \"total\", a local_factor, update = \"increment\", loadings that do not repeat "  \
+         "or geometry = \"springs\".")                                                             \
   QUANTITY(                                                                                        \
       k, "mm2/N", 1e-8, FROM(0), ARC_FUNCTION | ARC_SERIES,                                        \
       "Wear coefficient k of both bodies together: wear volume = k times load times sliding "      \

@@ -339,8 +339,8 @@ return {
     text = "Changes fields of wear{} between two steps: any field except model, geometry and worn. mesh={ "
       .. "... } makes new meshes, to which the worn shapes are transferred. Other fields, the worn shapes "
       .. "and the history do not change. A new loading starts with its first block; loading=false or stroke= "
-      .. "restores a constant stroke. distance and cycles are counted from the start of the run. Returns the "
-      .. "run." },
+      .. "restores a constant stroke. distance and cycles are counted from the start of the run. The scheme does "
+      .. 'not change, unless jump = "auto" or a law that jumps needs another one. Returns the run.' },
   { "wear.set{mesh}", type = "table { size=, fineness=, rows=, zone=, ... }",
     text = "New meshes of both bodies, with fields of model{ mesh= }; omitted fields do not change. With a new "
       .. "size and without rows, the depth of the wear box does not change either." },

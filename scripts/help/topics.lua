@@ -348,7 +348,8 @@ Errors of a run are due to the mesh, to the steps, and to the data. To estimate 
 
   mesh    repeat the run with model = { mesh = { fineness = 2 } }; the change
           of a depth is about its error
-  steps   divide tolerance by 10 (jump = "auto"), or halve a fixed jump
+  steps   set tolerance = 1e-4, a tenth of the default; with explicit
+          steps, halve a fixed jump or compare with scheme = "implicit"
   both    study.converge{ base = {...} } searches for the size and the jump
 
 On automatic meshes with automatic steps, depths of homogeneous bodies without friction have errors below 1 % in the tests of
@@ -368,7 +369,7 @@ number of cycles. Runs are faster with
                           twice as large, for first results
   geometry = "frozen"     the mesh does not change: for wear that is small
                           compared with layers and radii
-  a larger tolerance      with jump = "auto"
+  a larger tolerance      with implicit steps, the default without friction
   fewer increments        if the stroke is long, see help "increments"
   workers = 2             threads of a 3-D run; s:run{ workers = 4 } computes
                           cases of a study at the same time]] },

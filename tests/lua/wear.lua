@@ -245,9 +245,12 @@ for label, case in pairs{ ["jump = auto"] = { { jump = "auto" }, controlled }, [
   ["friction and a tolerance"] = { { friction = 0.5, tolerance = 1e-3 }, controlled } } do
   is(of_steps(wear(case[1])), case[2], "steps with " .. label)
 end
+-- w:set keeps the scheme, unless a jump or a law needs another one.
 local steps = wear{}
-for _, change in ipairs{ { { law = "threshold" }, staged }, { { law = "archard" }, controlled }, { { jump = 20 }, "explicit 0 20" },
-  { { load = 50 }, "explicit 0 20" }, { { jump = "auto" }, staged }, { { scheme = "implicit" }, controlled }, { { slip = "total" }, staged } } do
+for _, change in ipairs{ { { slip = "total" }, controlled }, { { law = "threshold" }, staged }, { { law = "archard" }, staged },
+  { { jump = 20 }, "explicit 0 20" }, { { load = 50 }, "explicit 0 20" }, { { slip = "rigid", jump = "auto" }, controlled },
+  { { jump = 20 }, "implicit 0 20" }, { { jump = "auto", scheme = "implicit" }, controlled }, { { scheme = "explicit" }, staged },
+  { { tolerance = 1e-4, scheme = "implicit" }, "implicit 0.0001 auto" }, { { load = 60 }, "implicit 0.0001 auto" } } do
   steps:set(change[1])
   is(of_steps(steps), change[2], "steps after a change of " .. next(change[1]))
 end

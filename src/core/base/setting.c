@@ -114,9 +114,10 @@ const char *arc_setting_expected(const arc_setting *s, char *text, size_t size) 
 }
 
 const char *arc_setting_usual(const arc_setting *s) {
+  if (s->forms & ARC_OPTIONAL && s->usual == 0) return "";
   if (s->kind == ARC_CHOICE) return s->choices[(int)s->usual];
   if (s->forms & ARC_AUTOMATIC && s->usual == 0) return "\"auto\"";
-  return s->usual_text && !(s->forms & ARC_OPTIONAL && s->usual == 0) ? s->usual_text : "";
+  return s->usual_text ? s->usual_text : "";
 }
 
 /* --- defaults and checks ---------------------------------------------------------------------- */

@@ -201,12 +201,14 @@ static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
 
 static arc_status check_scheme(const arc_wear_def *d, arc_error *error) {
   if (d->tolerance > 0 && d->scheme != ARC_IMPLICIT)
-    return arc_fail(error, ARC_ARGUMENT, "field 'tolerance': needs scheme = \"implicit\"");
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "field 'tolerance': needs implicit steps: set scheme = \"implicit\", and no jump");
   if (d->tolerance > 0 && (arc_law_properties[d->law] & ARC_LAW_JUMPS))
     return arc_fail(
         error, ARC_ARGUMENT,
-        "field 'tolerance': no step is short enough for law = \"%s\", which is discontinuous; use "
-        "scheme = \"explicit\" with jump = \"auto\"",
+        "field 'tolerance': no step is short enough for law = \"%s\", which is "
+        "discontinuous; omit tolerance, or use scheme = \"explicit\" with jump = \"auto\"",
         arc_law_names[d->law]);
   if (d->scheme == ARC_IMPLICIT && d->tolerance == 0 && arc_wear_jump_is_auto(d))
     return arc_fail(error, ARC_ARGUMENT,

@@ -202,8 +202,8 @@ static arc_status check_progress(const arc_wear *w, const wear_plan *plan, doubl
   if (gone > nothing * left) return ARC_OK;
   return arc_fail(error, ARC_NOT_CONVERGED,
                   "field 'jump': the last %d steps, to %.6g mm, advanced %.3g mm in total; %.6g mm "
-                  "remain, so the run would not end; use longer steps, and smooth the "
-                  "jumps of a law, a coefficient or a factor",
+                  "remain, so the run would not end; use longer steps if a jump is set, or make a "
+                  "law, a coefficient or a factor that jumps there continuous",
                   many, now->distance, gone, left);
 }
 

@@ -102,34 +102,6 @@ static void check_ahead(lua_State *L, args_location location, const wear_request
         args_show_number(L, request->distance_before), args_show_number(L, distance));
 }
 
-/* Sets the settings that control the steps to the defaults of the list of settings. */
-static void forget_steps(arc_wear_def *def) {
-  const arc_wear_def fresh = arc_wear_default();
-  def->scheme = fresh.scheme;
-  def->tolerance = fresh.tolerance;
-  def->jump = fresh.jump;
-  def->jump_function = fresh.jump_function;
-}
-
-/* Returns true if the steps of a run are those of a run without own settings. */
-static int has_usual_steps(const arc_wear *wear) {
-  const arc_wear_def *def = arc_wear_definition(wear);
-  arc_wear_def usual = *def;
-  forget_steps(&usual);
-  arc_wear_def_usual(&usual, arc_model_definition(arc_wear_model(wear)));
-  return def->scheme == usual.scheme && def->tolerance == usual.tolerance &&
-         def->jump == usual.jump && !def->jump_function;
-}
-
-/* Returns true if the user set a jump other than "auto". */
-static int chooses_jump(lua_State *L, int index) {
-  const int type = args_get(L, index, "jump");
-  const int chooses =
-      type != LUA_TNIL && !(type == LUA_TSTRING && strcmp(lua_tostring(L, -1), "auto") == 0);
-  lua_pop(L, 1);
-  return chooses;
-}
-
 static wear_request begin_request(lua_State *L, int index, int changed, args_location location) {
   wear_request request = {.def = arc_wear_default()};
   if (!changed) return request;
@@ -137,10 +109,6 @@ static wear_request begin_request(lua_State *L, int index, int changed, args_loc
   refuse_changes(L, index, location);
   request.own_k = request.own_steps = 1;
   request.def = *arc_wear_definition(wear);
-  if (has_usual_steps(wear)) {
-    request.own_steps = 0; /* a change may make other steps better */
-    forget_steps(&request.def);
-  }
   request.distance_before = arc_wear_last(wear)->distance;
   request.cycle_before = arc_wear_last(wear)->cycle;
   return request;
@@ -180,13 +148,35 @@ static void read_cycles(lua_State *L, int index, args_location location, wear_re
   lua_pop(L, 1);
 }
 
-/* If the user sets the scheme but no tolerance, sets the default tolerance of this scheme. The
- * implicit scheme has no default tolerance if a jump is set. */
-static void settle_scheme(lua_State *L, int index, arc_wear_def *def) {
-  if (!args_given(L, index, "scheme")) return;
-  if (def->scheme == ARC_EXPLICIT && !args_given(L, index, "tolerance")) def->tolerance = 0;
-  if (def->scheme == ARC_IMPLICIT && def->jump == 0 && !args_given(L, index, "jump") &&
-      def->tolerance == 0)
+/* Returns true if the user set a jump other than "auto". */
+static int chooses_jump(lua_State *L, int index) {
+  const int type = args_get(L, index, "jump");
+  const int chooses =
+      type != LUA_TNIL && !(type == LUA_TSTRING && strcmp(lua_tostring(L, -1), "auto") == 0);
+  lua_pop(L, 1);
+  return chooses;
+}
+
+/* Returns true if the default scheme applies: to a new run without scheme and jump, and to a
+ * changed run if the user sets jump = "auto", or a law that jumps, which has no implicit steps with
+ * a tolerance. */
+static int has_usual_steps(lua_State *L, int index, int changed, const arc_wear_def *def) {
+  if (args_given(L, index, "scheme") || chooses_jump(L, index)) return 0;
+  const int jumps = arc_law_properties[def->law] & ARC_LAW_JUMPS && def->tolerance > 0;
+  return !changed || args_given(L, index, "jump") || (args_given(L, index, "law") && jumps);
+}
+
+/* Settles scheme and tolerance of a request. If the user sets the scheme but no tolerance, the
+ * default tolerance of the scheme applies. With a jump, the implicit scheme has none. */
+static void settle_steps(lua_State *L, int index, int changed, wear_request *request) {
+  arc_wear_def *def = &request->def;
+  const int own_tolerance = args_given(L, index, "tolerance"), jumps = chooses_jump(L, index);
+  request->own_steps = !has_usual_steps(L, index, changed, def);
+  if (!request->own_steps) def->scheme = ARC_EXPLICIT;
+  if (own_tolerance) return;
+  if (!request->own_steps || jumps || def->scheme == ARC_EXPLICIT) def->tolerance = 0;
+  const int controlled = def->jump == 0 && !def->jump_function && !jumps && def->tolerance == 0;
+  if (args_given(L, index, "scheme") && def->scheme == ARC_IMPLICIT && controlled)
     def->tolerance = ARC_USUAL_TOLERANCE;
 }
 
@@ -282,7 +272,7 @@ wear_request wear_request_read(lua_State *L, int index, int changed) {
                   "a number > 0 mm, or loading = { x = f } for a motion that varies in a cycle");
   args_read(L, index, location, settings, &request.def);
   read_cycles(L, index, location, &request);
-  settle_scheme(L, index, &request.def);
+  settle_steps(L, index, changed, &request);
   if (request.cycles > 0 && args_given(L, index, "distance"))
     error_raise(L, ARC_ARGUMENT, location.where,
                 "fields 'distance' and 'cycles': expected one of them, got both");
