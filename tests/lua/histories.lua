@@ -408,3 +408,12 @@ w:set{ distance = 1400 }
 err = fails(function() w:run{ stop_when = function() error("no end") end } end,
   { "wear:run: stop_when failed", "no end" }, "an error in stop_when")
 near(w.distance, 1342, 1e-12, "an error in stop_when: the step is complete")
+
+-- Tests that steps keep their sliding distance where a block of loading has much shorter cycles than the last.
+local blocks = {}
+for i = 1, 20 do
+  local amplitude, long = i % 2 == 0 and 0.3 or 0.02, i % 2 == 0
+  blocks[i] = { x = function(t) return amplitude * math.sin(2 * math.pi * t) end, load = long and 200 or 100, cycles = long and 200 or 3000 }
+end
+local unlike = wear{ model = { mesh = { size = 0.04 } }, loading = blocks }:run{ progress = false }
+ok(unlike.update <= 40, "number of updates for 20 unlike blocks: " .. unlike.update)
