@@ -231,7 +231,9 @@ static arc_status go_onto(const arc_wear *w, const arc_model_def *def,
   arc_status status = arc_model_build_with_callbacks(def, callbacks, &model, error);
   if (status == ARC_OK) status = take_over(w, model, result, error);
   arc_model_release(&model);
-  if (status == ARC_OK) (*result)->warned = w->warned, (*result)->coarse = w->coarse;
+  if (status != ARC_OK) return status;
+  (*result)->warned = w->warned;
+  (*result)->coarse = w->coarse;
   return status;
 }
 

@@ -113,7 +113,7 @@ static int removed_nothing(const arc_wear *w) {
 
 /* Returns the sliding distance of a cycle in the last step, divided by that of the next step. It is
  * exactly 1 within a block. */
-static double shorter_cycles(const arc_wear *w, const wear_block *block) {
+static double cycle_ratio(const arc_wear *w, const wear_block *block) {
   const arc_wear_record *now = arc_wear_last(w);
   if (w->records < 2 || now->cycle > block->start_cycle || !(now->jump > 0)) return 1;
   return (now->distance - now[-1].distance) / now->jump / block->sliding;
@@ -135,7 +135,7 @@ static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, doub
                               ? now[-1].jump
                               : 0; /* jump before the last one, which may have been shortened */
     *jump = fmin(most_growth * fmax(now->jump, before), now->jump * fmax(least_growth, growth)) *
-            shorter_cycles(w, block);
+            cycle_ratio(w, block);
   } else {
     *jump = cycles_for(block, k,
                        only_evenly(w)
