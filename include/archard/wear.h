@@ -204,7 +204,8 @@ typedef struct arc_loading {
          "flat, or if the stroke is twice the radius (Eqs. 24-27). \"auto\" chooses one of them.") \
   CHOICE(slip, slip, ARC_SLIP_RIGID, 0,                                                            \
          "Sliding distance of an increment. \"rigid\": the motion of the plate; the wear volume "  \
-         "is then exactly k times load times distance. \"total\": this motion plus the elastic "   \
+         "is then exactly k times load times distance (with slide = \"z\" slightly more, because " \
+         "an inclined surface is longer). \"total\": this motion plus the elastic "                \
          "displacements of the surfaces, which matter if the stroke is short. In both cases the "  \
          "volumes of the bodies have the ratio k_c / k_p. Not used with friction, where wear "     \
          "uses the local slip.")                                                                   \

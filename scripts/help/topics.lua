@@ -104,7 +104,8 @@ New surfaces often wear faster at first. Define k as a function of the state, or
   k = function(state) return 1e-8 + 4e-8 * math.exp(-state.distance / 100) end
   k = { distance = { 0, 200, 1320 }, value = { 5e-8, 1e-8, 1e-8 } }
 
-Functions and tables are integrated over every update; an update ends at a jump of a table. alpha can be a function or a table too. For short
+Functions and tables are integrated over every update; an update ends at a jump of a table. A function with a short peak (0.1 mm of
+1320 mm) may be sampled only beside it; use a table. alpha can be a function or a table too. For short
 steps while k decreases and long ones afterwards keep jump = "auto", the default. calibrate{}
 computes such tables from volumes measured at several distances. See help "state" and examples "running_in".]] },
   { "files", [[
