@@ -8,10 +8,9 @@ local sweep = dofile(here .. "/lib/sweep.lua")(2e-3, 1e-9)
 
 local function worn(definition)
   return function(x)
-    local d = { load = 100, stroke = 0.11, distance = 220, scheme = "explicit" }
+    local d = { load = 100, stroke = 0.11, distance = 220 }
     for name, value in pairs(definition(x)) do d[name] = value end
     if d.tangential then d.stroke, d.distance = nil, nil end
-    if d.scheme == "implicit" then d.jump = nil end
     local w = wear(d):run()
     return { V = w.volume.total, depth_cylinder = w.depth.cylinder, depth_plate = w.depth.plate, p_center = w.p_center,
       half_width = w.half_width }
@@ -40,8 +39,7 @@ sweep("the load of a contact, automatic meshes", 90, 110, of_contact,
 sweep("the plate's position", 0, 0.02, of_contact,
   pressed(function(x) return { model = steel, load = 100, x = x } end))
 sweep("the load of a run", 90, 110, of_run, worn(function(x) return { load = x } end))
-sweep("the load of an implicit run", 90, 110, of_run,
-  worn(function(x) return { load = x, scheme = "implicit", tolerance = 1e-3 } end))
+sweep("the load of an explicit run", 90, 110, of_run, worn(function(x) return { load = x, scheme = "explicit" } end))
 sweep("alpha", 0.2, 0.8, { "V", "depth_cylinder", "depth_plate" }, worn(function(x) return { alpha = x } end))
 sweep("the plate's E", 200e3, 260e3, of_run, worn(function(x) return { model = { plate = { E = x } } } end))
 sweep("the plate's nu", 0.25, 0.4, of_run, worn(function(x) return { model = { plate = { nu = x } } } end))
