@@ -44,6 +44,14 @@ local function passes(history, name, past, before)
   return before ~= nil and past(history_at(history, name, before))
 end
 
+-- Warns if a limit is far above all values, which are then probably in another unit.
+local function warn_of_unit(given, largest)
+  local far = 100 -- ratio of limit and value; scatter is smaller
+  if not given.above or given.above <= far * largest or largest <= 0 then return end
+  warn(("%s: the limit, %g %s, is %.2g times the largest %s of all samples, %.3g %s: is it in this unit?"):format(
+    where, given.above, outcomes.unit(given.of), given.above / largest, given.of, largest, outcomes.unit(given.of)))
+end
+
 function class.__tostring(self)
   return ("probability that %s is %s %g %s%s: %.4g\n  %.4g to %.4g at %g %% confidence\n"
     .. "  %d of %d samples are beyond the limit%s\n  probability from the first half of the samples: %.4g"):format(
@@ -58,10 +66,13 @@ return function(study, given)
   given = check.definition(where, given, fields)
   if given.of == nil then check.refuse(where, "of", "the name of a column of the history", nil) end
   outcomes.names(where, given.of, outcomes.first(study, where).history)
-  local past, passed = test_of(given), {}
+  local past, passed, largest = test_of(given), {}, 0
   local failed = outcomes.each(study, where, function(number, history)
-    if outcomes.is_sample(study, number) then passed[#passed + 1] = passes(history, given.of, past, given.before) end
+    if not outcomes.is_sample(study, number) then return end
+    passed[#passed + 1] = passes(history, given.of, past, given.before)
+    for _, value in ipairs(history[given.of]) do if value > largest then largest = value end end
   end)
+  warn_of_unit(given, largest)
   local count, half = 0, 0
   for i, yes in ipairs(passed) do
     count = count + (yes and 1 or 0)

@@ -214,6 +214,13 @@ near(f.probability, truth, 2 / 256 / truth, "probability of a failure")
 ok(f.low < truth and truth < f.high, "the confidence range contains the exact probability")
 holds(tostring(f), { "above", "before 110 mm", "of 256 samples" }, "print of a failure probability")
 is(one:failure{ of = "p_center", below = 0 }.probability, 0, "probability of an impossible event")
+local warnings = require "archard.warnings"
+warnings.keep()
+is(one:failure{ of = "depth_plate", above = 1 }.probability, 0, "probability of a depth of 1 um, taken for mm")
+ok((warnings.take() or ""):find("study:failure: the limit, 1 mm, is", 1, true), "a limit far above all values is questioned")
+warnings.keep()
+one:failure{ of = "depth_plate", above = 1e-3 }
+is(warnings.take(), nil, "a limit near the values is not questioned")
 fails(function() one:failure{ of = "p_center" } end, { "'above'", "neither" }, "a failure without a limit")
 fails(function() one:failure{ above = 1 } end, { "'of'" }, "a failure without a result")
 fails(function() one:failure{ of = "p_center", above = 1, before = 999 } end, { "'before'", "220" },
