@@ -6,6 +6,7 @@ local csv_text = require "archard.lib.csv_text"
 local files = require "archard.files"
 local measure = require "archard.measure"
 local named = require "archard.study.case".named
+local number = require "archard.definition.number"
 local settings = require "archard.definition.settings"
 local term = require "archard.term"
 local written = require "archard.lib.written"
@@ -80,7 +81,8 @@ local function shortened(warning) return warning:gsub("^[%l_]+:%l+: ", ""):match
 local function columns_of(study)
   local columns = { { "case", "", "%d", function(case) return case.id end } }
   for _, name in ipairs(study.varied) do
-    columns[#columns + 1] = { name, "", "%s", function(case)
+    local setting = number.setting(name)
+    columns[#columns + 1] = { name, setting and setting.unit or "", "%s", function(case)
       local value = study.flat[case.id][name]
       return value ~= nil and settings.shown(value) or nil
     end }

@@ -306,3 +306,9 @@ fails(function() wear.open(path "absent") end, "absent", "wear.open of a missing
 fails(function() study.open(path "wear") end, "kind study", "study.open of a run file")
 
 os.execute("rm -r " .. folder)
+
+-- Tests that tables have the units of the varied fields.
+local with_units = study{ base = { distance = 44 }, vary = { k = { 1e-8, 2e-8 }, ["model.lower.E"] = { 1e5, 2e5 }, alpha = { 0.2, 0.3 },
+  law = { "archard", "power" } } }
+local head = with_units:table{ format = "csv" }:match "^[^\n]*"
+holds(head, { ",k [mm2/N],", ".E [MPa],", ",law,", ",alpha," }, "units of the varied fields")
