@@ -20,7 +20,7 @@ typedef struct wear_request {
   double cycles; /* end of the run [cycles]; 0: the end is given as a distance */
   double distance_before, cycle_before; /* [mm], [cycles] position at which wear:set is called */
   int own_steps; /* true if the default scheme and jump do not apply: the user set one of them, or
-                    wear:set changes the run */
+                    wear:set changes other settings of the run */
   int own_k;     /* true if the coefficients of the bodies do not apply: the user set k or alpha, or
                     wear:set changes the run */
   int worn;      /* true if the run starts on worn surfaces */

@@ -107,7 +107,7 @@ static wear_request begin_request(lua_State *L, int index, int changed, args_loc
   if (!changed) return request;
   const arc_wear *wear = box_check(L, changed, &wear_class, location.where)->thing;
   refuse_changes(L, index, location);
-  request.own_k = request.own_steps = 1;
+  request.own_k = 1;
   request.def = *arc_wear_definition(wear);
   request.distance_before = arc_wear_last(wear)->distance;
   request.cycle_before = arc_wear_last(wear)->cycle;
@@ -264,7 +264,6 @@ wear_request wear_request_read(lua_State *L, int index, int changed) {
   list_settings(settings, changed);
   read_bodies(L, index, location, &request);
   request.own_k = request.own_k || args_given(L, index, "k") || args_given(L, index, "alpha");
-  request.own_steps = request.own_steps || args_given(L, index, "scheme") || chooses_jump(L, index);
   refuse_space(L, index, location);
   refuse_function(L, index, location, "load",
                   "a number > 0 N, or loading = { load = f } for a load that varies in a cycle");
