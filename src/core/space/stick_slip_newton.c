@@ -120,6 +120,15 @@ static void motion_of(const holding *h, const double sum[2], double motion[2]) {
   for (int i = 0; i < 2; i++) motion[i] = h->inverse[i][0] * sum[0] + h->inverse[i][1] * sum[1];
 }
 
+/* Adds a motion, preconditioned, to a vector. The motion is 0 along axes without a given force. */
+static void add_motion(const stick_slip_work *w, const double motion[2], double *const to[2]) {
+  for (int i = 0; i < 2; i++)
+    for (int s = 0; s < w->sites && motion[i] != 0; s++) {
+      const int k = w->site[s].cell;
+      for (int j = 0; j < 2; j++) to[j][k] += motion[i] * w->y[i][j][k];
+    }
+}
+
 /* Computes z = M^-1 (r - motion) from the residual r of all cells. The motion is the same for all
  * cells. Along an axis with a given force its value is such that the sum of z over the cells is 0;
  * along other axes it is 0. */
@@ -129,11 +138,7 @@ static void precondition(const stick_slip_problem *p, const stick_slip_work *w, 
   inverse_times(p, w, w->r, w->z);
   sums_over_sites(w, w->z, sum);
   motion_of(h, sum, motion);
-  for (int i = 0; i < 2; i++)
-    for (int s = 0; s < w->sites && p->by_force[i]; s++) {
-      const int k = w->site[s].cell;
-      for (int j = 0; j < 2; j++) w->z[j][k] -= motion[i] * w->y[i][j][k];
-    }
+  add_motion(w, (const double[2]){-motion[0], -motion[1]}, w->z);
 }
 
 /* Computes a = C d + D d, projected onto the free directions, with the compliance C to shear and
@@ -171,11 +176,7 @@ static void hold_forces(const stick_slip_problem *p, stick_slip_work *w, const h
   motion_of(h, lacking, motion);
   if (motion[0] == 0 && motion[1] == 0) return;
   for (int j = 0; j < 2; j++) memset(w->d[j], 0, (size_t)cells_of(p) * sizeof(double));
-  for (int i = 0; i < 2; i++)
-    for (int s = 0; s < w->sites && p->by_force[i]; s++) {
-      const int k = w->site[s].cell;
-      for (int j = 0; j < 2; j++) w->d[j][k] += motion[i] * w->y[i][j][k];
-    }
+  add_motion(w, motion, w->d);
   apply(p, w, count);
   step(w, 1);
 }
