@@ -28,12 +28,16 @@ static double weight_of(const shape_side *side, int i) {
   return arc_shape_width(side, i) / ((side->settled[2 * b] - side->settled[2 * a]) / 2);
 }
 
+/* Adds the effect of a column's loss of thickness. Row j of the matrix contains the displacements
+ * of the nodes around node j that a force on node j causes. In a body of revolution a uniform
+ * pressure causes a smooth change even at the axis, where circumferences vanish. */
 static void add_column(shape_side *side, int at, double share) {
   for (int a = -reach; a <= reach; a++) {
     if (at + a < 0 || at + a >= side->n) continue;
     double *row = &side->compliance_change[(at + a) * span + reach - a];
+    const double line = share / weight_of(side, at + a);
     const int low = a > 0 ? a - reach : -reach, high = a < 0 ? a + reach : reach;
-    for (int b = low; b <= high; b++) row[b] += share * arc_body_thinning(side->body, a, b);
+    for (int b = low; b <= high; b++) row[b] += line * arc_body_thinning(side->body, a, b);
   }
 }
 
@@ -52,19 +56,15 @@ void arc_shape_find_compliance_change(const arc_shape *shape, shape_side *side) 
   }
 }
 
-/* Computes u [n], the change of the compliance times the forces f [n]. In a body of revolution a
- * uniform pressure thus causes a smooth change even at the axis, where circumferences vanish. */
+/* Computes u [n], the change of the compliance times the forces f [n]. */
 static void compliance_change_times(const shape_side *side, const double *f, double *u) {
   memset(u, 0, (size_t)side->n * sizeof *u);
   for (int j = 0; j < side->n; j++) {
     if (f[j] == 0) continue;
     const int low = j < reach ? -j : -reach, last = side->n - 1 - j;
     const int high = last < reach ? last : reach;
-    const double *row =
-        &side->compliance_change[j * span +
-                                 reach]; /* the matrix is symmetric: row j equals column j */
-    const double line = f[j] / weight_of(side, j);
-    for (int o = low; o <= high; o++) u[j + o] += row[o] * line;
+    const double *row = &side->compliance_change[j * span + reach];
+    for (int o = low; o <= high; o++) u[j + o] += row[o] * f[j];
   }
 }
 
