@@ -57,8 +57,9 @@ typedef struct arc_kind {
 
   /* --- definitions, on the definition of a model ---------------------------------------------- */
 
-  /* Optional: sets the defaults of a run that differ from the defaults in the list of settings. */
-  void (*usual)(arc_wear_def *def);
+  /* Returns true if implicit steps with error control are better for a run than explicit steps.
+   * NULL: they never are. */
+  int (*prefers_implicit)(const arc_wear_def *def);
 
   /* Checks combinations of settings of a run. Errors: ARC_ARGUMENT. */
   arc_status (*check)(const arc_wear_def *def, const arc_model_def *model, arc_error *error);

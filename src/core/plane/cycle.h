@@ -158,9 +158,10 @@ void arc_wear_jacobian_finish(wear_tangent *j);
 /* --- plane_definition.c ----------------------------------------------------------------------- */
 arc_procedure arc_wear_choose_procedure(const arc_wear_def *def, const arc_model_def *model);
 int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model);
-/* Chooses implicit steps with ARC_USUAL_TOLERANCE, except where explicit steps are better. If a
- * tolerance is given, the steps are always implicit. */
-void arc_plane_usual(arc_wear_def *def);
+/* Returns true if implicit steps are better. With friction explicit steps need half the time, with
+ * elastic slip a third, and histories make a step in every increment. With local factors that jump
+ * with the pressure the depths of implicit steps had errors of up to 4 %. */
+int arc_plane_prefers_implicit(const arc_wear_def *def);
 wear_manner arc_plane_manner(const arc_wear_def *def, const arc_model_def *model);
 arc_status arc_plane_check(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
 

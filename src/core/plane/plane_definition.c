@@ -60,21 +60,11 @@ int arc_wear_def_of_bodies(arc_wear_def *def, const arc_model_def *model) {
   return have;
 }
 
-/* Returns true if explicit steps are better than implicit steps. With friction they need half the
- * time, with elastic slip a third, and histories make a step in every increment. Laws and local
- * factors that jump with the pressure need them: with such a factor the depths of implicit steps
- * had errors of up to 4 %. */
-static int is_better_explicit(const arc_wear_def *def) {
+int arc_plane_prefers_implicit(const arc_wear_def *def) {
   for (int b = 0; b < def->blocks; b++)
-    if (!def->loading[b].periodic) return 1;
-  return arc_wear_has_friction(def) || def->slip == ARC_SLIP_TOTAL || def->local_factor != NULL ||
-         def->update == ARC_UPDATE_INCREMENT || arc_law_properties[def->law] & ARC_LAW_JUMPS;
-}
-
-void arc_plane_usual(arc_wear_def *def) {
-  if (def->tolerance == 0 && is_better_explicit(def)) return;
-  def->scheme = ARC_IMPLICIT;
-  if (def->tolerance == 0) def->tolerance = ARC_USUAL_TOLERANCE;
+    if (!def->loading[b].periodic) return 0;
+  return !arc_wear_has_friction(def) && def->slip != ARC_SLIP_TOTAL && !def->local_factor &&
+         def->update != ARC_UPDATE_INCREMENT;
 }
 
 wear_manner arc_plane_manner(const arc_wear_def *def, const arc_model_def *model) {

@@ -122,10 +122,9 @@ arc_status arc_space_check(const arc_wear_def *d, const arc_model_def *model, ar
 
 /* --- derived values */
 
-void arc_space_usual(arc_wear_def *def) {
-  if (def->tolerance == 0 && arc_law_properties[def->law] & ARC_LAW_JUMPS) return;
-  def->scheme = ARC_IMPLICIT;
-  if (def->tolerance == 0) def->tolerance = ARC_USUAL_TOLERANCE;
+int arc_space_prefers_implicit(const arc_wear_def *def) {
+  (void)def;
+  return 1;
 }
 
 /* Returns the factor [N/mm] between a tangential force and the nominal displacement, from which

@@ -121,7 +121,7 @@ void arc_space_period_cells(const arc_model_def *def, int turned, arc_halfspace_
 
 /* --- space_definition.c ----------------------------------------------------------------------- */
 arc_status arc_space_check(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
-void arc_space_usual(arc_wear_def *def);
+int arc_space_prefers_implicit(const arc_wear_def *def);
 wear_manner arc_space_manner(const arc_wear_def *def, const arc_model_def *model);
 int arc_space_increments(const arc_wear_def *def, const arc_model_def *model);
 double arc_space_parts(const arc_wear_def *def, const arc_model_def *model,

@@ -61,7 +61,11 @@ int arc_wear_jump_is_auto(const arc_wear_def *def) {
 
 void arc_wear_def_usual(arc_wear_def *def, const arc_model_def *model) {
   const arc_kind *kind = arc_kind_of(model);
-  if (kind->usual) kind->usual(def);
+  const int jumps = arc_law_properties[def->law] & ARC_LAW_JUMPS;
+  if (!kind->prefers_implicit) return;
+  if (def->tolerance == 0 && (jumps || !kind->prefers_implicit(def))) return;
+  def->scheme = ARC_IMPLICIT;
+  if (def->tolerance == 0) def->tolerance = ARC_USUAL_TOLERANCE;
 }
 
 void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]) {
