@@ -1,7 +1,7 @@
 /* Computes convolutions by FFTW. First the rows of the window are transformed. Then blocks of
- * columns are transformed, multiplied by the symbol of the kernel and transformed back, so that the
- * padded box is never stored as a whole. FFTW's plans are estimated, not measured, so that results
- * do not change from run to run. */
+ * columns are copied, each column to consecutive numbers, transformed, multiplied by the symbol of
+ * the kernel and transformed back. The padded box is never stored as a whole. FFTW's plans are
+ * estimated, not measured, so that results do not change from run to run. */
 #include "core/numeric/convolution.h"
 
 #include "core/base/wide.h"
@@ -18,8 +18,9 @@ struct convolution {
   int half;       /* number of columns of the spectrum: box_columns / 2 + 1 */
   int stride;     /* distance between the starts of two rows of the spectrum, in complex numbers */
   int padded;     /* distance between the starts of two rows of the values, in real numbers */
-  double *symbol; /* scaled symbol, stored in blocks of columns; each block is [box_rows][columns of
-                     the block] */
+  int tall;       /* distance between the starts of two columns of a block, in complex numbers; not
+                     a power of two, because few such columns fit into the processor's cache */
+  double *symbol; /* [half][box_rows] scaled symbol, column by column */
   int imaginary;  /* true if the symbol is multiplied by the imaginary unit */
   fftw_plan into, out_of;   /* plans for rows: forward and backward transform */
   fftw_plan down[2], up[2]; /* plans for the columns of a full block, and of the last block */
@@ -30,15 +31,16 @@ struct convolution {
 struct convolution_work {
   double *values;                /* [rows][padded columns] */
   fftw_complex *spectrum;        /* [rows][stride] */
-  fftw_complex *columns, *waves; /* [box_rows][block] */
+  fftw_complex *columns, *waves; /* [block][tall] */
 };
 
 int arc_transform_length(int n) {
-  for (int length = n + n % 2;; length += 2) {
+  for (int length = (n + 3) / 4 * 4;; length += 4) {
     int rest = length;
     while (rest % 2 == 0) rest /= 2;
-    while (rest % 3 == 0) rest /= 3;
+    if (rest % 3 == 0) rest /= 3;
     while (rest % 5 == 0) rest /= 5;
+    while (rest % 7 == 0) rest /= 7;
     if (rest == 1) return length;
   }
 }
@@ -64,8 +66,8 @@ convolution_work *arc_convolution_work(const convolution *c) {
   if (!w) return NULL;
   w->values = fftw_malloc((size_t)c->rows * (size_t)c->padded * sizeof *w->values);
   w->spectrum = fftw_malloc(spectrum_size(c) * sizeof *w->spectrum);
-  w->columns = fftw_malloc((size_t)c->box_rows * block * sizeof *w->columns);
-  w->waves = fftw_malloc((size_t)c->box_rows * block * sizeof *w->waves);
+  w->columns = fftw_malloc(block * (size_t)c->tall * sizeof *w->columns);
+  w->waves = fftw_malloc(block * (size_t)c->tall * sizeof *w->waves);
   if (w->values && w->spectrum && w->columns && w->waves) return w;
   free_work(w);
   return NULL;
@@ -81,7 +83,7 @@ void arc_convolution_work_free(convolution_work **work) {
 static fftw_plan plan_columns(const convolution *c, int width, int sign, fftw_complex *from,
                               fftw_complex *to) {
   const int n = c->box_rows;
-  return fftw_plan_many_dft(1, &n, width, from, NULL, width, 1, to, NULL, width, 1, sign,
+  return fftw_plan_many_dft(1, &n, width, from, NULL, 1, c->tall, to, NULL, 1, c->tall, sign,
                             FFTW_ESTIMATE);
 }
 
@@ -132,17 +134,16 @@ static int is_imaginary(lag_parity parity) {
   return parity == ODD_ROWS || parity == ODD_COLUMNS;
 }
 
-/* Copies and scales the symbol. Row i of the box has the symbol of row min(i, box_rows - i), with
- * the opposite sign for i > box_rows / 2 if the kernel is odd along the rows. */
+/* Transposes and scales the symbol. Row i of the box has the symbol of row min(i, box_rows - i),
+ * with the opposite sign for i > box_rows / 2 if the kernel is odd along the rows. */
 static void store_symbol(convolution *c, lag_parity parity, const double *symbol) {
   const double size = (double)c->box_rows * c->box_columns;
   double *to = c->symbol;
-  for (int first = 0; first < c->half; first += block)
+  for (int j = 0; j < c->half; j++)
     for (int i = 0; i < c->box_rows; i++) {
       const int mirrored = i > c->box_rows / 2, row = mirrored ? c->box_rows - i : i;
       const double scale = (mirrored && parity & ODD_ROWS ? -1 : 1) / size;
-      for (int j = first; j < c->half && j < first + block; j++)
-        *to++ = scale * symbol[(size_t)row * (size_t)c->half + (size_t)j];
+      *to++ = scale * symbol[(size_t)row * (size_t)c->half + (size_t)j];
     }
 }
 
@@ -159,6 +160,7 @@ static arc_status create(int rows, int columns, int box_rows, int box_columns, l
     c->half = box_columns / 2 + 1;
     c->stride = c->half + c->half % 2;
     c->padded = (box_columns + 3) / 4 * 4;
+    c->tall = (box_rows + 3) / 4 * 4 + 4;
     c->symbol = malloc((size_t)box_rows * (size_t)c->half * sizeof *c->symbol);
     work = arc_convolution_work(c);
     complete = c->symbol && work && plan(c, work);
@@ -288,18 +290,27 @@ ARC_WIDE static void multiply_pair(size_t count, const double *const symbol[3],
 /* lower_block transforms the columns `first` to first + width - 1 of the spectrum to w->waves.
  * raise_block transforms w->waves back to these columns. */
 static void lower_block(const convolution *c, convolution_work *w, int first, int width) {
-  const size_t bytes = (size_t)width * sizeof *w->columns, n = (size_t)width;
-  for (size_t i = 0; i < (size_t)c->rows; i++)
-    memcpy(w->columns + i * n, w->spectrum + i * (size_t)c->stride + first, bytes);
-  memset(w->columns + (size_t)c->rows * n, 0, (size_t)(c->box_rows - c->rows) * bytes);
+  const size_t tall = (size_t)c->tall, rows = (size_t)c->rows, n = (size_t)width;
+  for (size_t i = 0; i < rows; i++)
+    for (size_t j = 0; j < n; j++)
+      memcpy(w->columns + j * tall + i, w->spectrum + i * (size_t)c->stride + (size_t)first + j,
+             sizeof *w->columns);
+  for (size_t j = 0; j < n; j++)
+    memset(w->columns + j * tall + rows, 0, ((size_t)c->box_rows - rows) * sizeof *w->columns);
   fftw_execute_dft(c->down[width == block ? 0 : 1], w->columns, w->waves);
 }
 
 static void raise_block(const convolution *c, convolution_work *w, int first, int width) {
-  const size_t bytes = (size_t)width * sizeof *w->columns, n = (size_t)width;
+  const size_t tall = (size_t)c->tall, n = (size_t)width;
   fftw_execute_dft(c->up[width == block ? 0 : 1], w->waves, w->columns);
   for (size_t i = 0; i < (size_t)c->rows; i++)
-    memcpy(w->spectrum + i * (size_t)c->stride + first, w->columns + i * n, bytes);
+    for (size_t j = 0; j < n; j++)
+      memcpy(w->spectrum + i * (size_t)c->stride + (size_t)first + j, w->columns + j * tall + i,
+             sizeof *w->columns);
+}
+
+static const double *symbol_at(const convolution *c, int column) {
+  return c->symbol + (size_t)column * (size_t)c->box_rows;
 }
 
 static int block_width(const convolution *c, int first) {
@@ -326,13 +337,11 @@ void arc_convolution_apply_strided(const convolution *c, convolution_work *w, in
   load_spectrum(c, w, p, stride);
   for (int first = 0; first < c->half; first += block) {
     const int width = block_width(c, first);
-    const size_t pairs = (size_t)c->box_rows * (size_t)width;
-    const double *symbol = c->symbol + (size_t)first * (size_t)c->box_rows;
     lower_block(c, w, first, width);
-    if (c->imaginary)
-      turn(pairs, symbol, (double *)w->waves);
-    else
-      multiply(pairs, symbol, (double *)w->waves);
+    for (int j = 0; j < width; j++) {
+      double *wave = (double *)w->waves[j * c->tall];
+      (c->imaginary ? turn : multiply)((size_t)c->box_rows, symbol_at(c, first + j), wave);
+    }
     raise_block(c, w, first, width);
   }
   store_spectrum(c, w, u, stride);
@@ -344,11 +353,13 @@ void arc_convolution_apply_pair(const convolution *const k[3], convolution_work 
   for (int i = 0; i < 2; i++) load_spectrum(c, work[i], p[i], stride);
   for (int first = 0; first < c->half; first += block) {
     const int width = block_width(c, first);
-    const size_t from = (size_t)first * (size_t)c->box_rows;
-    const double *const symbol[3] = {k[0]->symbol + from, k[1]->symbol + from, k[2]->symbol + from};
     for (int i = 0; i < 2; i++) lower_block(c, work[i], first, width);
-    multiply_pair((size_t)c->box_rows * (size_t)width, symbol, (double *)work[0]->waves,
-                  (double *)work[1]->waves);
+    for (int j = 0; j < width; j++) {
+      const double *const symbol[3] = {symbol_at(k[0], first + j), symbol_at(k[1], first + j),
+                                       symbol_at(k[2], first + j)};
+      multiply_pair((size_t)c->box_rows, symbol, (double *)work[0]->waves[j * c->tall],
+                    (double *)work[1]->waves[j * c->tall]);
+    }
     for (int i = 0; i < 2; i++) raise_block(c, work[i], first, width);
   }
   for (int i = 0; i < 2; i++) store_spectrum(c, work[i], u[i], stride);

@@ -23,7 +23,8 @@ typedef enum lag_parity {
   ODD_BOTH = ODD_ROWS | ODD_COLUMNS
 } lag_parity;
 
-/* Returns the smallest even length >= n without prime factors above 5. */
+/* Returns the smallest length >= n that is a multiple of 4, not of 9, and has no prime factor above
+ * 7. FFTW needs up to twice the time for other lengths of this size. */
 int arc_transform_length(int n);
 
 /* Creates a convolution without periodic images, on a box about twice as large as the window.
