@@ -33,10 +33,10 @@ void arc_space_find_range(const arc_halfspace *h, const double *value, space_ran
     }
 }
 
-/* Returns the index of the smallest box size that contains the range and its margin. Sets *from to
- * the first row or column of the box. */
-static int fit_level(const int level[SPACE_LEVELS], space_range r, int symmetric, int *from) {
-  enum { margin = 4 /* margin around the range [cells] */ };
+/* Returns the index of the smallest box size that contains the range and a margin [cells]. Sets
+ * *from to the first row or column of the box. */
+static int fit_level(const int level[SPACE_LEVELS], space_range r, int margin, int symmetric,
+                     int *from) {
   const int n = level[0];
   if (symmetric && r.high < n - 1 - r.low) r.high = n - 1 - r.low;
   if (symmetric) r.low = n - 1 - r.high;
@@ -50,11 +50,12 @@ static int fit_level(const int level[SPACE_LEVELS], space_range r, int symmetric
   return best;
 }
 
-space_box arc_space_box(const arc_halfspace *h, space_range x, space_range z, int symmetric) {
+space_box arc_space_box(const arc_halfspace *h, space_range x, space_range z, int margin,
+                        int symmetric) {
   space_box box = arc_space_window(h);
   if (h->def.periodic) return box;
-  box.level_x = fit_level(h->level_x, x, symmetric, &box.x);
-  box.level_z = fit_level(h->level_z, z, 0, &box.z);
+  box.level_x = fit_level(h->level_x, x, margin, symmetric, &box.x);
+  box.level_z = fit_level(h->level_z, z, margin, 0, &box.z);
   box.nx = h->level_x[box.level_x];
   box.nz = h->level_z[box.level_z];
   return box;

@@ -62,9 +62,10 @@ void arc_space_extend(space_range *r, int k);
 /* Extends the ranges to all rows and columns with a cell whose value [window] is positive. */
 void arc_space_find_range(const arc_halfspace *h, const double *value, space_range *x,
                           space_range *z);
-/* Returns the smallest box that contains the ranges of rows and columns, with a margin. If
+/* Returns the smallest box that contains the ranges of rows and columns, with a margin [cells]. If
  * `symmetric` is 1, the box lies symmetrically in x. */
-space_box arc_space_box(const arc_halfspace *h, space_range x, space_range z, int symmetric);
+space_box arc_space_box(const arc_halfspace *h, space_range x, space_range z, int margin,
+                        int symmetric);
 
 /* Set *found to a convolution for boxes of one size: with the kernel of the compliance, or with the
  * inverse symbol for preconditioning. Each convolution is created at the first call. */

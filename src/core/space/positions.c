@@ -272,6 +272,8 @@ static arc_status take_box(positions *p, box_memory *m, int preconditioned, arc_
   return arc_fail(error, ARC_MEMORY, "out of memory for %d positions of %zu cells", p->s.count, n);
 }
 
+enum { box_margin = 4 }; /* rows and columns into which the contact may grow */
+
 static arc_status find_kernels(positions *p, int preconditioned, arc_error *error) {
   const space_box *b = &p->s.box;
   arc_status status = arc_space_convolution(p->s.h, b->level_x, b->level_z, &p->s.kernel, error);
@@ -283,7 +285,7 @@ static arc_status find_kernels(positions *p, int preconditioned, arc_error *erro
 arc_status arc_positions_fit_box(positions *p, arc_error *error) {
   space_range x, z;
   find_ranges(p, &x, &z);
-  p->s.box = arc_space_box(p->s.h, x, z, p->s.mirrored);
+  p->s.box = arc_space_box(p->s.h, x, z, box_margin, p->s.mirrored);
   return find_kernels(p, 0, error);
 }
 
@@ -354,7 +356,7 @@ arc_status arc_positions_solve(positions *p, arc_error *error) {
   find_ranges(p, &x, &z);
   arc_status status = ARC_OK;
   while (wider && status == ARC_OK) {
-    p->s.box = arc_space_box(p->s.h, x, z, p->s.mirrored);
+    p->s.box = arc_space_box(p->s.h, x, z, box_margin, p->s.mirrored);
     status = solve_in_box(p, error);
     if (status == ARC_OK) status = check_outside(p, &p->s.box, &x, &z, &wider, error);
   }

@@ -18,7 +18,8 @@ arc_status arc_stick_slip_begin(stick_slip_work *w, int cells, arc_error *error)
     arc_stick_slip_end(w);
     return arc_fail(error, ARC_MEMORY, "out of memory for the shear of %d cells", cells);
   }
-  double **const pair[] = {w->q, w->slip, w->tangent, w->r, w->z, w->d, w->a, w->y[0], w->y[1]},
+  double **const pair[] = {w->q, w->slip, w->tangent,  w->r,       w->z,
+                           w->d, w->a,    w->shape[0], w->shape[1]},
                  *at = w->block;
   for (size_t k = 0; k < sizeof pair / sizeof *pair; k++)
     for (int i = 0; i < 2; i++, at += n) pair[k][i] = at;
@@ -44,10 +45,13 @@ static void scale(stick_slip_work *w, int k, double factor) {
   w->q[1][k] *= factor;
 }
 
-/* Scales q of a slipping cell back to the friction circle. */
+/* Scales q of a slipping cell back to the friction circle, and sets the tangent of the cell. */
 static void round_cell(stick_slip_work *w, int k, double bound) {
   const double q = size_of(w->q, k);
-  if (q > 0) scale(w, k, bound / q);
+  if (!(q > 0)) return;
+  w->tangent[0][k] = -w->q[1][k] / q;
+  w->tangent[1][k] = w->q[0][k] / q;
+  scale(w, k, bound / q);
 }
 
 /* Sets the initial states of the cells. A cell slips if its shear is outside the friction circle,
@@ -118,22 +122,19 @@ static double find_slip(const stick_slip_problem *p, const space_box *box, stick
 }
 
 /* Sets slipping cells to stick if their slip is opposite to their shear and larger than `nothing`
- * [mm], except cells in `fresh`. Computes tangent and diagonal of the cells that continue to slip.
- * Returns the number of cells changed. */
+ * [mm], except cells in `fresh`. Computes the diagonal of the cells that continue to slip. Returns
+ * the number of cells changed. */
 static int end_slip(const stick_slip_problem *p, stick_slip_work *w, double nothing,
                     const char *fresh) {
   int changes = 0;
   for (int k = 0; k < p->h->cells; k++) {
     if (w->state[k] != SHEAR_SLIP) continue;
-    const double n[2] = {w->q[0][k] / p->bound[k], w->q[1][k] / p->bound[k]};
-    const double along = w->slip[0][k] * n[0] + w->slip[1][k] * n[1];
+    const double along = w->slip[0][k] * w->tangent[1][k] - w->slip[1][k] * w->tangent[0][k];
     if (along < -nothing && !fresh[k]) {
       w->state[k] = SHEAR_STICK;
       changes++;
       continue;
     }
-    w->tangent[0][k] = -n[1];
-    w->tangent[1][k] = n[0];
     w->diagonal[k] = fmax(along, 0) / p->bound[k];
   }
   return changes;
@@ -180,7 +181,7 @@ static int carrying(const stick_slip_problem *p) {
 static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char *fresh,
                           stick_slip_count *count, arc_error *error) {
   enum { most_sets = 60, patience = 25 };
-  static const double few = 0.03, unsettled = 0.1, settled = 3e-4;
+  static const double few = 0.03, unsettled = 0.3, settled = 0.01;
   static const double rounding = 1e-14; /* force error that needs no Newton step at all */
   const int cells = carrying(p);
   double missed, each[2];
@@ -188,10 +189,15 @@ static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char 
     const arc_status status = callbacks_check(p->callbacks, error);
     if (status != ARC_OK) return status;
     int changes = begin_slip(p, w, fresh);
+    missed = force_error(p, w, each);
+    if (!arc_stick_slip_set_forces(p, w)) {
+      stick_all(p, w);
+      arc_stick_slip_set_forces(p, w);
+    }
     const double wanted = p->tolerance * find_slip(p, &w->box, w, count);
+    arc_stick_slip_move(p, w);
     changes += end_slip(p, w, wanted, fresh);
     const double residual = arc_stick_slip_residual(p, w);
-    missed = force_error(p, w, each);
     const int held = missed <= (pass == 0 ? rounding : p->tolerance);
     const int solved = held && residual <= wanted;
     count->sets++;
@@ -201,7 +207,7 @@ static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char 
       return ARC_OK;
     }
     const double share = changes == 0 ? settled : unsettled;
-    if (!arc_stick_slip_newton(p, w, share, wanted / 2, count)) stick_all(p, w);
+    arc_stick_slip_newton(p, w, share, wanted / 2, count);
   }
   return arc_fail(
       error, ARC_NOT_CONVERGED,
@@ -273,7 +279,7 @@ static arc_status choose_box(const stick_slip_problem *p, stick_slip_work *w, ar
   space_range x = {0, -1}, z = {0, -1};
   for (int i = 0; i < 2; i++) memset(w->a[i], 0, (size_t)p->h->cells * sizeof *w->a[i]);
   arc_space_find_range(p->h, p->bound, &x, &z);
-  w->box = arc_space_box(p->h, x, z, 0);
+  w->box = arc_space_box(p->h, x, z, 0, 0);
   return arc_cerruti_in_box(p->h, &w->box, error);
 }
 

@@ -51,9 +51,9 @@ typedef struct stick_slip_work {
   double *diagonal;        /* [window] slip divided by the friction limit, at cells that slip */
   double *r[2], *z[2], *d[2],
       *a[2]; /* residual, preconditioned residual, search direction, operator times direction */
-  double *y[2][2]; /* preconditioned unit motions along x and z */
-  space_box box;   /* box of the cells that may carry shear; outside this box `a` is 0 during the
-                      solution */
+  double *shape[2][2]; /* changes of the shear that increase the forces along x and z */
+  space_box box; /* box of the cells that may carry shear; outside this box `a` is 0 during the
+                    solution */
   stick_slip_site *site; /* [sites] cells that carry shear in the present Newton step */
   int sites;
   double *block;
@@ -68,15 +68,24 @@ void arc_stick_slip_end(stick_slip_work *w);
 arc_status arc_stick_slip_solve(const stick_slip_problem *problem, stick_slip_work *work,
                                 stick_slip_count *count, arc_error *error);
 
-/* Makes one Newton step from the present q and its slip: solves for the changes of q and xi on the
- * present sets, and adds these changes. Where cells slip, q changes only along the tangent. The
- * linear iteration stops at the residual `least` [mm] or at the fraction `share` of the first
- * residual. Returns 0 if the sets cannot carry the forces. */
-int arc_stick_slip_newton(const stick_slip_problem *problem, stick_slip_work *work, double share,
-                          double least, stick_slip_count *count);
+/* Adds shear to q, where cells slip only along the tangent, so that its sums equal the given
+ * forces. Returns 0 if the sets cannot carry the forces; q is then unchanged. */
+int arc_stick_slip_set_forces(const stick_slip_problem *problem, stick_slip_work *work);
 
-/* Returns the largest error of the slip [mm]: of both components at sticking cells, and of the
- * component along the tangent at slipping cells. */
-double arc_stick_slip_residual(const stick_slip_problem *problem, const stick_slip_work *work);
+/* Subtracts the mean slip of the free directions from xi and from the slip of all cells, along axes
+ * with given forces. The mean is weighted by the shear that arc_stick_slip_set_forces adds. */
+void arc_stick_slip_move(const stick_slip_problem *problem, stick_slip_work *work);
+
+/* Lists the cells that carry shear, and computes their residual: both components of the slip at
+ * sticking cells, and the component along the tangent at slipping cells. Returns the largest one
+ * [mm]. */
+double arc_stick_slip_residual(const stick_slip_problem *problem, stick_slip_work *work);
+
+/* Makes one Newton step from the present q, its residual, and the shapes of
+ * arc_stick_slip_set_forces: solves for the changes of q and xi on the present sets, and adds these
+ * changes. Where cells slip, q changes only along the tangent. The linear iteration stops at the
+ * residual `least` [mm] or at the fraction `share` of the first residual. */
+void arc_stick_slip_newton(const stick_slip_problem *problem, stick_slip_work *work, double share,
+                           double least, stick_slip_count *count);
 
 #endif

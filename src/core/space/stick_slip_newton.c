@@ -56,14 +56,14 @@ static void project(const stick_slip_work *w, double *const v[2], double *const 
   }
 }
 
-/* Computes z = M^-1 v: the approximate inverse of the compliance to shear between two projections.
- * Cells that slip have a larger diagonal than this compliance, and therefore smaller shares. */
-static void inverse_times(const stick_slip_problem *p, const stick_slip_work *w, double *const v[2],
-                          double *const z[2]) {
-  for (int i = 0; i < 2; i++) memset(z[i], 0, (size_t)cells_of(p) * sizeof(double));
-  project(w, v, z);
-  arc_cerruti_precondition(p->h, &w->box, z);
-  project(w, z, z);
+/* Replaces v by M^-1 v, where M^-1 is the approximate inverse of the compliance to shear between
+ * two projections. Cells that slip have a larger diagonal than this compliance, and therefore
+ * smaller shares. v must be 0 at cells without shear. */
+static void inverse_times(const stick_slip_problem *p, const stick_slip_work *w,
+                          double *const v[2]) {
+  project(w, v, v);
+  arc_cerruti_precondition(p->h, &w->box, v);
+  project(w, v, v);
 }
 
 static void sums_over_sites(const stick_slip_work *w, double *const v[2], double sum[2]) {
@@ -72,73 +72,116 @@ static void sums_over_sites(const stick_slip_work *w, double *const v[2], double
     for (int i = 0; i < 2; i++) sum[i] += v[i][w->site[s].cell];
 }
 
-/* Data of the projection that does not change the given forces. A 2 x 2 matrix maps a motion to the
- * sums over the cells of M^-1 times this motion; `inverse` is the inverse of this matrix. */
-typedef struct holding {
-  double inverse[2][2];
-  int singular;
-} holding;
+/* --- given forces ----------------------------------------------------------------------------- */
 
-/* Computes the preconditioned unit motions w->y along the axes with given forces. */
-static void find_motions(const stick_slip_problem *p, stick_slip_work *w) {
+/* Computes M^-1 times unit motions along the axes with given forces, and the sums g of the results
+ * over the cells. */
+static void find_motions(const stick_slip_problem *p, stick_slip_work *w, double g[2][2]) {
   for (int i = 0; i < 2; i++) {
+    double *const *v = w->shape[i];
+    g[i][0] = g[i][1] = 0;
+    for (int j = 0; j < 2; j++) memset(v[j], 0, (size_t)cells_of(p) * sizeof(double));
     if (!p->by_force[i]) continue;
-    for (int k = 0; k < cells_of(p); k++) {
-      w->d[i][k] = 1;
-      w->d[1 - i][k] = 0;
-    }
-    inverse_times(p, w, w->d, w->y[i]);
+    for (int s = 0; s < w->sites; s++) v[i][w->site[s].cell] = 1;
+    inverse_times(p, w, v);
+    sums_over_sites(w, v, g[i]);
   }
 }
 
-static holding find_holding(const stick_slip_problem *p, stick_slip_work *w) {
+/* Inverts g along the axes with given forces. Returns 0 if it is singular. */
+static int invert(const stick_slip_problem *p, double g[2][2], double inverse[2][2]) {
   static const double least = 1e-9;
-  double g[2][2] = {{0, 0}, {0, 0}};
-  find_motions(p, w);
   for (int i = 0; i < 2; i++)
-    if (p->by_force[i]) sums_over_sites(w, w->y[i], g[i]);
-  holding h = {{{0, 0}, {0, 0}}, 0};
-  if (p->by_force[0] && p->by_force[1]) {
-    const double det = g[0][0] * g[1][1] - g[0][1] * g[1][0], trace = g[0][0] + g[1][1];
-    h.singular = !(det > least * trace * trace);
-    if (h.singular) return h;
-    h.inverse[0][0] = g[1][1] / det;
-    h.inverse[1][1] = g[0][0] / det;
-    h.inverse[0][1] = h.inverse[1][0] = -(g[0][1] + g[1][0]) / 2 / det;
-    return h;
-  }
-  for (int i = 0; i < 2; i++)
-    if (p->by_force[i]) {
-      h.singular = !(g[i][i] > 0);
-      h.inverse[i][i] = h.singular ? 0 : 1 / g[i][i];
+    if (!p->by_force[i]) {
+      g[i][i] = 1;
+      g[i][1 - i] = g[1 - i][i] = 0;
     }
-  return h;
+  const double det = g[0][0] * g[1][1] - g[0][1] * g[1][0];
+  if (!(g[0][0] > 0 && g[1][1] > 0 && det > least * g[0][0] * g[1][1])) return 0;
+  inverse[0][0] = g[1][1] / det;
+  inverse[1][1] = g[0][0] / det;
+  inverse[0][1] = inverse[1][0] = -(g[0][1] + g[1][0]) / 2 / det;
+  return 1;
 }
 
-/* Computes the motion for which the sums of M^-1 times the motion equal `sum`. */
-static void motion_of(const holding *h, const double sum[2], double motion[2]) {
-  for (int i = 0; i < 2; i++) motion[i] = h->inverse[i][0] * sum[0] + h->inverse[i][1] * sum[1];
-}
-
-/* Adds a motion, preconditioned, to a vector. The motion is 0 along axes without a given force. */
-static void add_motion(const stick_slip_work *w, const double motion[2], double *const to[2]) {
-  for (int i = 0; i < 2; i++)
-    for (int s = 0; s < w->sites && motion[i] != 0; s++) {
-      const int k = w->site[s].cell;
-      for (int j = 0; j < 2; j++) to[j][k] += motion[i] * w->y[i][j][k];
+/* Computes w->shape: changes of the shear in the free directions. The sums of shape[i] over the
+ * cells are 1 along axis i and 0 along the other axis. Returns 0 if there is no such change. */
+static int find_shapes(const stick_slip_problem *p, stick_slip_work *w) {
+  double g[2][2], inverse[2][2];
+  find_motions(p, w, g);
+  if (!invert(p, g, inverse)) return 0;
+  for (int s = 0; s < w->sites; s++)
+    for (int j = 0, k = w->site[s].cell; j < 2; j++) {
+      const double a = w->shape[0][j][k], b = w->shape[1][j][k];
+      w->shape[0][j][k] = inverse[0][0] * a + inverse[0][1] * b;
+      w->shape[1][j][k] = inverse[1][0] * a + inverse[1][1] * b;
     }
+  return 1;
 }
 
-/* Computes z = M^-1 (r - motion) from the residual r of all cells. The motion is the same for all
- * cells. Along an axis with a given force its value is such that the sum of z over the cells is 0;
- * along other axes it is 0. */
-static void precondition(const stick_slip_problem *p, const stick_slip_work *w, const holding *h,
-                         double motion[2]) {
+static void add_shapes(const stick_slip_problem *p, const stick_slip_work *w, const double sum[2],
+                       double *const to[2]) {
+  for (int i = 0; i < 2; i++)
+    for (int s = 0; s < w->sites && p->by_force[i]; s++)
+      for (int j = 0, k = w->site[s].cell; j < 2; j++) to[j][k] += sum[i] * w->shape[i][j][k];
+}
+
+/* Computes the motion that is contained in a residual: its mean, weighted by the shapes. The motion
+ * is 0 along axes without a given force. */
+static void motion_in(const stick_slip_problem *p, const stick_slip_work *w, double *const r[2],
+                      double motion[2]) {
+  for (int i = 0; i < 2; i++) motion[i] = p->by_force[i] ? dot(w, w->shape[i], r) : 0;
+}
+
+int arc_stick_slip_set_forces(const stick_slip_problem *p, stick_slip_work *w) {
+  const double area = p->h->def.size_x * p->h->def.size_z;
   double sum[2];
-  inverse_times(p, w, w->r, w->z);
+  list_sites(p, w);
+  if (!find_shapes(p, w)) return 0;
+  sums_over_sites(w, w->q, sum);
+  add_shapes(p, w, (const double[2]){p->force[0] / area - sum[0], p->force[1] / area - sum[1]},
+             w->q);
+  return 1;
+}
+
+void arc_stick_slip_move(const stick_slip_problem *p, stick_slip_work *w) {
+  double motion[2];
+  motion_in(p, w, w->slip, motion);
+  for (int i = 0; i < 2; i++) {
+    for (int k = 0; k < cells_of(p); k++) w->slip[i][k] -= motion[i];
+    w->xi[i] -= motion[i];
+  }
+}
+
+/* --- conjugate gradients ---------------------------------------------------------------------- */
+
+/* Computes the motion contained in the residual r. Returns the largest entry of r minus the motion,
+ * in free directions. */
+static double residual_of(const stick_slip_problem *p, const stick_slip_work *w, double motion[2]) {
+  double most = 0;
+  motion_in(p, w, w->r, motion);
+  for (int s = 0; s < w->sites; s++) {
+    const int k = w->site[s].cell;
+    double part[2];
+    times(w->site[s].free, w->r[0][k] - motion[0], w->r[1][k] - motion[1], part);
+    most = larger(most, larger(fabs(part[0]), fabs(part[1])));
+  }
+  return most;
+}
+
+/* Computes z = P M^-1 (r - motion). P v is v minus shapes, so that the sums of P v along axes with
+ * given forces are 0. */
+static void precondition(const stick_slip_problem *p, const stick_slip_work *w,
+                         const double motion[2]) {
+  double sum[2];
+  for (int i = 0; i < 2; i++) {
+    memset(w->z[i], 0, (size_t)cells_of(p) * sizeof(double));
+    for (int s = 0; s < w->sites; s++)
+      w->z[i][w->site[s].cell] = w->r[i][w->site[s].cell] - motion[i];
+  }
+  inverse_times(p, w, w->z);
   sums_over_sites(w, w->z, sum);
-  motion_of(h, sum, motion);
-  add_motion(w, (const double[2]){-motion[0], -motion[1]}, w->z);
+  add_shapes(p, w, (const double[2]){-sum[0], -sum[1]}, w->z);
 }
 
 /* Computes a = C d + D d, projected onto the free directions, with the compliance C to shear and
@@ -163,83 +206,51 @@ static void step(stick_slip_work *w, double length) {
     }
 }
 
-/* Changes q so that its sums over the cells equal the given forces. */
-static void hold_forces(const stick_slip_problem *p, stick_slip_work *w, const holding *h,
-                        stick_slip_count *count) {
-  const double area = p->h->def.size_x * p->h->def.size_z;
-  double lacking[2] = {0, 0}, motion[2];
-  for (int i = 0; i < 2; i++) {
-    if (!p->by_force[i]) continue;
-    lacking[i] = p->force[i] / area;
-    for (int s = 0; s < w->sites; s++) lacking[i] -= w->q[i][w->site[s].cell];
-  }
-  motion_of(h, lacking, motion);
-  if (motion[0] == 0 && motion[1] == 0) return;
-  for (int j = 0; j < 2; j++) memset(w->d[j], 0, (size_t)cells_of(p) * sizeof(double));
-  add_motion(w, motion, w->d);
-  apply(p, w, count);
-  step(w, 1);
-}
-
-/* Returns the largest entry of the residual r minus the motion, in free directions. */
-static double largest_residual(const stick_slip_work *w, const double motion[2]) {
+double arc_stick_slip_residual(const stick_slip_problem *p, stick_slip_work *w) {
   double most = 0;
-  for (int s = 0; s < w->sites; s++) {
-    const int k = w->site[s].cell;
-    double part[2];
-    times(w->site[s].free, w->r[0][k] - motion[0], w->r[1][k] - motion[1], part);
-    most = larger(most, larger(fabs(part[0]), fabs(part[1])));
-  }
-  return most;
-}
-
-double arc_stick_slip_residual(const stick_slip_problem *p, const stick_slip_work *w) {
-  double most = 0;
-  for (int k = 0; k < cells_of(p); k++) {
-    double part[2];
-    if (w->state[k] == SHEAR_NONE) continue;
-    const stick_slip_site at = site_of(p, w, k);
-    times(at.free, w->slip[0][k], w->slip[1][k], part);
-    most = larger(most, larger(fabs(part[0]), fabs(part[1])));
-  }
-  return most;
-}
-
-int arc_stick_slip_newton(const stick_slip_problem *p, stick_slip_work *w, double share,
-                          double least, stick_slip_count *count) {
-  enum { most_steps = 400 };
-  const size_t bytes = (size_t)cells_of(p) * sizeof(double);
   list_sites(p, w);
-  const holding h = find_holding(p, w);
-  double motion[2], product = 0;
-  if (h.singular) return 0;
   for (int s = 0; s < w->sites; s++) {
     const int k = w->site[s].cell;
     double part[2];
     times(w->site[s].free, w->slip[0][k], w->slip[1][k], part);
-    w->r[0][k] = part[0];
-    w->r[1][k] = part[1];
+    for (int i = 0; i < 2; i++) {
+      w->r[i][k] = part[i];
+      most = larger(most, fabs(part[i]));
+    }
   }
-  hold_forces(p, w, &h, count);
-  precondition(p, w, &h, motion);
-  const double wanted = fmax(least, share * largest_residual(w, motion));
-  for (int i = 0; i < 2; i++) memset(w->d[i], 0, bytes);
-  for (int k = 0; k < most_steps && largest_residual(w, motion) > wanted; k++) {
-    const double before = product;
-    product = dot(w, w->r, w->z);
-    const double keep = before > 0 ? product / before : 0;
-    for (int i = 0; i < 2; i++)
-      for (int s = 0; s < w->sites; s++) {
-        const int c = w->site[s].cell;
-        w->d[i][c] = w->z[i][c] + keep * w->d[i][c];
-      }
-    apply(p, w, count);
-    const double curvature = dot(w, w->d, w->a);
-    if (!(curvature > 0)) break;
-    step(w, product / curvature);
-    precondition(p, w, &h, motion);
-    count->iterations++;
+  return most;
+}
+
+/* Makes one step of conjugate gradients. `product` is the product of r and z of the previous step,
+ * 0 at the first step. Returns 0 at the limit of rounding. */
+static int descend(const stick_slip_problem *p, stick_slip_work *w, double *product,
+                   stick_slip_count *count) {
+  const double before = *product;
+  *product = dot(w, w->r, w->z);
+  const double keep = before > 0 ? *product / before : 0;
+  for (int i = 0; i < 2; i++)
+    for (int s = 0; s < w->sites; s++) {
+      const int c = w->site[s].cell;
+      w->d[i][c] = w->z[i][c] + keep * w->d[i][c];
+    }
+  apply(p, w, count);
+  const double curvature = dot(w, w->d, w->a);
+  if (!(curvature > 0)) return 0;
+  step(w, *product / curvature);
+  count->iterations++;
+  return 1;
+}
+
+void arc_stick_slip_newton(const stick_slip_problem *p, stick_slip_work *w, double share,
+                           double least, stick_slip_count *count) {
+  enum { most_steps = 400 };
+  double motion[2], product = 0, left = residual_of(p, w, motion);
+  const double wanted = fmax(least, share * left);
+  for (int i = 0; i < 2; i++) memset(w->d[i], 0, (size_t)cells_of(p) * sizeof(double));
+  for (int k = 0; k < most_steps && left > wanted; k++) {
+    precondition(p, w, motion);
+    if (!descend(p, w, &product, count)) break;
+    left = residual_of(p, w, motion);
   }
   for (int i = 0; i < 2; i++) w->xi[i] -= motion[i];
-  return 1;
 }
