@@ -55,15 +55,15 @@ static void round_cell(stick_slip_work *w, int k, double bound) {
 }
 
 /* Sets the initial states of the cells. A cell slips if its shear is outside the friction circle,
- * or if it slipped before and its shear is on the circle. */
+ * or if it slipped before, unless the friction limit has more than doubled since then. */
 static void start(const stick_slip_problem *p, stick_slip_work *w) {
-  static const double nearly = 1 - 1e-9;
+  static const double least = 0.5;
   for (int k = 0; k < p->h->cells; k++) {
     const double q = size_of(w->q, k), bound = p->bound[k];
     if (bound == 0) {
       w->state[k] = SHEAR_NONE;
       scale(w, k, 0);
-    } else if (q > bound || (w->state[k] == SHEAR_SLIP && q > nearly * bound)) {
+    } else if (q > bound || (w->state[k] == SHEAR_SLIP && q > least * bound)) {
       w->state[k] = SHEAR_SLIP;
       round_cell(w, k, bound);
     } else {
