@@ -45,34 +45,55 @@ static arc_status advance(const leg *g, double share, const arc_halfspace_fricti
 static const double motion_share = 1e-4, shear_share = 1e-3, work_share = 1e-3, own_share = 3e-3,
                     little = 1e-3;
 
+/* Solutions of a part of a leg: the state before it, the state after one increment, and the states
+ * in the middle and at the end of two increments. */
+typedef struct solutions {
+  const arc_halfspace_friction *begin, *once, *middle, *twice;
+} solutions;
+
 /* Returns the sum of the changes of shear over the cells, as a force [N]. */
-static double shear_change(const leg *g, const arc_halfspace_friction *once,
-                           const arc_halfspace_friction *twice) {
+static double shear_change(const leg *g, const solutions *s) {
   double sum = 0;
   for (int k = 0; k < arc_halfspace_sites(g->h, ARC_UPPER); k++)
-    sum += hypot(twice->q[0][k] - once->q[0][k], twice->q[1][k] - once->q[1][k]);
+    sum += hypot(s->twice->q[0][k] - s->once->q[0][k], s->twice->q[1][k] - s->once->q[1][k]);
   return sum * arc_halfspace_site_area(g->h, ARC_UPPER);
+}
+
+/* Returns the work of the last increment of a state at site k, divided by friction and the area of
+ * a site. `before` is the state before the increment. */
+static double work_at(const arc_halfspace_friction *before, const arc_halfspace_friction *state,
+                      int k) {
+  const double mean = (before->pressure[k] + state->pressure[k]) / 2;
+  return state->stick[k] > 0 ? 0 : mean * hypot(state->moved[0][k], state->moved[1][k]);
+}
+
+/* Returns the sum of the changes of work over the cells [N mm]. The sum of the work itself may
+ * agree by chance, where changes in different cells cancel. */
+static double work_change(const leg *g, const solutions *s) {
+  double sum = 0;
+  for (int k = 0; k < arc_halfspace_sites(g->h, ARC_UPPER); k++)
+    sum += fabs(work_at(s->begin, s->middle, k) + work_at(s->middle, s->twice, k) -
+                work_at(s->begin, s->once, k));
+  return g->def->to.friction * sum * arc_halfspace_site_area(g->h, ARC_UPPER);
 }
 
 /* Computes the reference values of force, motion and work of a leg from its solutions in one and in
  * two increments. */
-static void find_scales(leg *g, const arc_halfspace_friction *begin,
-                        const arc_halfspace_friction *once, const arc_halfspace_friction *twice) {
+static void find_scales(leg *g, const solutions *s) {
   const double mu = g->def->to.friction;
   g->carried = mu * fmax(g->def->load, g->def->to.position.load);
-  g->yielding = mu * fmax(fabs(begin->approach), fabs(once->approach));
-  g->work = fmax(twice->energy - begin->energy, little * g->carried * g->yielding);
+  g->yielding = mu * fmax(fabs(s->begin->approach), fabs(s->once->approach));
+  g->work = fmax(s->twice->energy - s->begin->energy, little * g->carried * g->yielding);
 }
 
 /* Returns true if the solutions of a part in one and in two increments agree within the accepted
  * changes. */
-static int is_resolved(const leg *g, const arc_halfspace_friction *begin,
-                       const arc_halfspace_friction *once, const arc_halfspace_friction *twice) {
-  const double own = twice->energy - begin->energy;
-  if (!(shear_change(g, once, twice) <= shear_share * g->carried)) return 0;
+static int is_resolved(const leg *g, const solutions *s) {
+  const double own = s->twice->energy - s->begin->energy;
+  if (!(shear_change(g, s) <= shear_share * g->carried)) return 0;
   for (int i = 0; i < 2; i++)
-    if (!(fabs(twice->xi[i] - once->xi[i]) <= motion_share * g->yielding)) return 0;
-  return fabs(twice->energy - once->energy) <= fmax(own_share * own, work_share * g->work);
+    if (!(fabs(s->twice->xi[i] - s->once->xi[i]) <= motion_share * g->yielding)) return 0;
+  return work_change(g, s) <= fmax(own_share * own, work_share * g->work);
 }
 
 /* --- halving ---------------------------------------------------------------------------------- */
@@ -133,8 +154,9 @@ static arc_status refine(leg *g, part p, const arc_halfspace_friction *begin,
   arc_halfspace_friction middle, end;
   arc_status status = halve(g, p, begin, state, &middle, &end, error);
   if (status == ARC_OK) {
-    if (p.halvings == 0) find_scales(g, begin, state, &end);
-    const int resolved = is_resolved(g, begin, state, &end), last = p.halvings >= most_halvings;
+    const solutions s = {begin, state, &middle, &end};
+    if (p.halvings == 0) find_scales(g, &s);
+    const int resolved = is_resolved(g, &s), last = p.halvings >= most_halvings;
     g->effort->unresolved += last && !resolved;
     status = resolved || last ? accept(g, p, &end, state, error)
                               : refine_halves(g, p, begin, &middle, state, error);
