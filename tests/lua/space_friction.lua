@@ -218,3 +218,19 @@ fails(function() c:stress{ y = 0.05 } end, "friction in 3-D", "stresses below th
 for _, force in ipairs{ 1e-12, 1e-9, 1e-6 } do
   near(c:move{ tangential = force }.x / force, c:move{ tangential = 1e-3 }.x / 1e-3, 1e-9, ("motion under a force of %g N"):format(force))
 end
+
+-- Tests a motion along z with a force along x after which all cells slip: the method for such forces did not converge.
+do
+  local warnings = require "archard.warnings"
+  warnings.keep()
+  local pair = { geometry = "3-D", upper = body.ball{ radius = 10 }, lower = body.block{ E = 260559.89, nu = 0.355231 },
+    mesh = { size = 0.00743888 } }
+  local c = contact{ model = pair, load = 8, friction = 0.49114034338108 }
+    :move{ z = 1.9131288367154838e-4, tangential = -1.3831544131808344, load = 6.7345258403345856 }
+    :move{ z = -3.2060725534892244e-5, x = -6.8311054960034799e-4, load = 9.4304076870461486 }
+    :move{ x = -3.051794973335335e-4, tangential_z = -0.51592036964627708, load = 4.5669775822884224 }
+    :move{ z = -4.9688497500384042e-4, tangential = -1.4330315702936263, load = 7.2315310253647391 }
+  warnings.take()
+  near(c.tangential, -1.4330315702936263, 1e-5, "force along x with a motion along z")
+  near(c.x, -5.0249e-4, 1e-3, "  its motion")
+end

@@ -246,27 +246,53 @@ static void update(double inverse[2][2], const double step[2], const double chan
       inverse[i][j] += (curved * step[i] * step[j] - step[i] * left[j] - left[i] * step[j]) / along;
 }
 
+/* Motions along one axis that are known to be too small and too large, because the force increases
+ * with the motion. */
+typedef struct bracket {
+  double low, high;
+} bracket;
+
+/* Narrows the bracket by the motion xi, whose force is too small by `missed`. Returns the step from
+ * xi to the next motion: the given step, or to the middle of the bracket if this step leaves it. */
+static double step_within(bracket *b, double xi, double missed, double step) {
+  if (missed > 0)
+    b->low = xi;
+  else
+    b->high = xi;
+  const double next = xi + step;
+  if (!(next <= b->low || next >= b->high)) return step;
+  return isfinite(b->high - b->low) ? (b->low + b->high) / 2 - xi : step;
+}
+
 /* Computes the motion that causes the given forces. The forces are the gradient of a convex
  * function of the motion. This slower method is used for forces near gross slip, where the sets may
  * not converge. */
 static arc_status find_motion(const stick_slip_problem *forced, stick_slip_work *w, char *fresh,
                               stick_slip_count *count, arc_error *error) {
   enum { most_motions = 100 };
+  static const double finer = 0.1; /* so that the force follows small changes of the motion */
   stick_slip_problem p = *forced;
   double inverse[2][2] = {{yielding(&p, w, 0), 0}, {0, yielding(&p, w, 1)}};
   double before[2] = {0, 0}, missed[2], step[2] = {0, 0};
+  const int single = forced->by_force[0] != forced->by_force[1];
+  bracket within = {-INFINITY, INFINITY};
   p.by_force[0] = p.by_force[1] = 0;
+  p.tolerance *= finer;
   for (int k = 0; k < most_motions; k++) {
     const arc_status status = iterate(&p, w, fresh, count, error);
     if (status != ARC_OK) return status;
-    if (force_error(forced, w, missed) <= p.tolerance) return ARC_OK;
+    if (force_error(forced, w, missed) <= forced->tolerance) return ARC_OK;
     if (k > 0)
       update(inverse, step, (const double[2]){missed[0] - before[0], missed[1] - before[1]});
     for (int i = 0; i < 2; i++) {
       before[i] = missed[i];
       step[i] = forced->by_force[i] ? inverse[i][0] * missed[0] + inverse[i][1] * missed[1] : 0;
     }
-    for (int i = 0; i < 2; i++) w->xi[i] += step[i];
+    for (int i = 0; i < 2; i++) {
+      if (single && forced->by_force[i])
+        step[i] = step_within(&within, w->xi[i], missed[i], step[i]);
+      w->xi[i] += step[i];
+    }
   }
   return arc_fail(error, ARC_NOT_CONVERGED,
                   "the motion under the tangential force did not converge: the force is off by "
