@@ -200,7 +200,7 @@ return {
       .. "increments is chosen automatically; c.energy_error estimates the error. If you set increments in 3-D, "
       .. "the error is proportional to their length where the direction of slip rotates: the work of a force that "
       .. "rotates once in 64 increments is 8 % too small. Close to full slip with nu > 0, the motion under a force "
-      .. "is larger than in Mindlin's solution, which neglects slip across the force: by 19 % at 0.9999 times the "
+      .. "is larger than in Mindlin's solution, which neglects slip across the force: by 13 % at 0.9999 times the "
       .. "force of full slip." },
   { "contact.z", kind = "field", unit = "mm",
     text = "Position of the lower body along z, in 3-D with friction; 0 in 2-D." },

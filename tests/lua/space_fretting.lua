@@ -178,3 +178,11 @@ do
     "map in 3-D: amplitude at the transition to partial slip")
   is(table.concat(map.regime[1], " "), "stick partial gross", "map in 3-D: regimes")
 end
+
+-- Tests that a force under which all of the contact slips is refused: one increment does not resolve its slip.
+do
+  local w = wear{ model = { geometry = "3-D", upper = body.ball{ radius = 10 }, lower = body.block{}, mesh = { size = 0.0126 } },
+    load = 10, friction = 0.5, tangential = 5 * (1 - 2e-5), k = 1e-9, cycles = 1 }
+  fails(function() w:run{ progress = false } end, { "field 'tangential'", "0.99998 of friction times the load", "stroke" },
+    "wear under a force close to full slip")
+end

@@ -82,10 +82,10 @@ near(slid.tangential, 5, 1e-4, "the force in gross slip is friction times load")
 is(slid.stick, 0, "no stick zone in gross slip")
 ok(slid:move{ x = 1.9e-3 }.stick > 0.3, "the contact sticks after a reversal")
 
--- Tests a force close to full slip: slip across the force, which Mindlin neglects, increases the
--- displacement.
+-- Tests a force close to full slip: slip across the force, which Mindlin neglects, increases the displacement by 13 %.
+-- The reference is extrapolated from prescribed motions in steps of 5 and 2.5 nm.
 near(contact{ model = ball_on(), load = 10, friction = 0.5 }:move{ tangential = 5 * (1 - 1e-4) }.x,
-  1.19 * 4.706e-4, 0.01,
+  5.292e-4, 0.01,
   "displacement at 0.9999 of the sliding force")
 
 -- Tests the pressure on the lower body: when the lower body has moved by 0.2 mm along x, the ball presses at

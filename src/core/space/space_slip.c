@@ -238,6 +238,17 @@ static arc_status repeat(slip_cycle *c, arc_halfspace_friction *state, arc_error
                   "the cycle of stick and slip is not periodic after %d repetitions", most_cycles);
 }
 
+/* Returns an error if all cells slip under a force below the friction limit. The motion then
+ * depends on how the directions of slip turn, which one increment does not resolve. */
+static arc_status check_stick(const slip_cycle *c, arc_error *error) {
+  if (!c->whole || !(c->v->mu > 0)) return ARC_OK;
+  return arc_fail(
+      error, ARC_ARGUMENT,
+      "field 'tangential': expected a force under which some of the contact sticks, got "
+      "%.8g N, %.6g of friction times the load; for gross slip give a stroke",
+      c->rate->shear, c->rate->shear / (c->v->mu * c->block->line[1]));
+}
+
 /* Computes a cycle of like bodies with one increment per leg. The first increment covers half of
  * the motion or force. A whole leg has twice the shear and slip of this increment, because both are
  * proportional to the motion. */
@@ -254,7 +265,7 @@ static arc_status single(slip_cycle *c, arc_halfspace_friction *state, arc_error
     c->rate->shear = fmax(c->rate->shear, fabs(b->tangential[i]));
   if (!b->tangential) c->rate->shear = fabs(state->force[0]);
   add_increment(c, 1, 4);
-  return ARC_OK;
+  return b->tangential ? check_stick(c, error) : ARC_OK;
 }
 
 /* Computes a cycle from separated bodies. Initial guesses are used only from one repetition of the

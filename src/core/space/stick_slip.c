@@ -253,7 +253,8 @@ typedef struct bracket {
 } bracket;
 
 /* Narrows the bracket by the motion xi, whose force is too small by `missed`. Returns the step from
- * xi to the next motion: the given step, or to the middle of the bracket if this step leaves it. */
+ * xi to the next motion: the given step, or to the middle of the bracket if this step ends outside
+ * it. */
 static double step_within(bracket *b, double xi, double missed, double step) {
   if (missed > 0)
     b->low = xi;
@@ -296,7 +297,7 @@ static arc_status find_motion(const stick_slip_problem *forced, stick_slip_work 
   }
   return arc_fail(error, ARC_NOT_CONVERGED,
                   "the motion under the tangential force did not converge: the force is off by "
-                  "%.2g of friction times the load",
+                  "%.2g of friction times the load; near full slip, prescribe a motion instead",
                   fmax(fabs(missed[0]), fabs(missed[1])));
 }
 
