@@ -306,7 +306,7 @@ local function half_spaces(quick)
   end
   for _, row in ipairs{ { 64, "10" }, { 128, "50" } } do
     local cells, goal = table.unpack(row)
-    local m = model{ geometry = "3-D", mesh = { size = 3.6 * half / cells } }
+    local m = model{ geometry = "3-D", mesh = { size = 2.3 * half / cells } }
     local c, best, each = contact{ model = m, load = 10, friction = 0.5 }, math.huge, 4
     c = c:move{ tangential = 3, increments = each }
     for _ = 1, 3 do
