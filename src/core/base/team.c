@@ -1,7 +1,10 @@
-/* Implements a team of threads that share the tasks of loops. */
+/* Implements a team of threads that share the tasks of loops. Loops follow each other within
+ * microseconds, and waking a sleeping thread needs the time of many loops. Therefore a thread
+ * that waits first yields its processor some times, and then sleeps. */
 #include "core/base/team.h"
 
 #include <pthread.h>
+#include <sched.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -11,10 +14,10 @@ struct work_team {
   pthread_mutex_t lock;
   pthread_cond_t begun, ended;
   pthread_t *thread;
-  pid_t process; /* process that created the threads */
-  int threads;   /* number of threads besides the caller */
-  int loop;      /* number of loops started so far */
-  int busy;      /* number of threads that have not finished the loop */
+  pid_t process;   /* process that created the threads */
+  int threads;     /* number of threads besides the caller */
+  atomic_int loop; /* number of loops started so far; changed only under the lock */
+  atomic_int busy; /* number of threads that have not finished the loop */
   int closing;
   team_task task;
   void *context;
@@ -33,22 +36,34 @@ static void share(work_team *t, int worker) {
     t->task(t->context, k, worker);
 }
 
+enum { yields = 100 /* number of times that a thread yields before it sleeps */ };
+
+/* Yields while *value is `old` (unless `equal` is 0: while it is not). Gives up after some times.
+ */
+static void yield_while(atomic_int *value, int old, int equal) {
+  for (int k = 0; k < yields && (atomic_load(value) == old) == equal; k++) sched_yield();
+}
+
+/* Waits for the next loop after loop number `last`. Returns 0 if the team is closing. */
+static int await_loop(work_team *t, int last) {
+  yield_while(&t->loop, last, 1);
+  pthread_mutex_lock(&t->lock);
+  while (atomic_load(&t->loop) == last && !t->closing) pthread_cond_wait(&t->begun, &t->lock);
+  const int goes_on = !t->closing;
+  pthread_mutex_unlock(&t->lock);
+  return goes_on;
+}
+
 static void *work(void *context) {
   const member m = *(member *)context;
   work_team *t = m.team;
   free(context);
-  int loop = 0;
-  pthread_mutex_lock(&t->lock);
-  for (;;) {
-    while (t->loop == loop && !t->closing) pthread_cond_wait(&t->begun, &t->lock);
-    if (t->closing) break;
-    loop = t->loop;
-    pthread_mutex_unlock(&t->lock);
+  for (int loop = 0; await_loop(t, loop); loop++) {
     share(t, m.worker);
     pthread_mutex_lock(&t->lock);
-    if (--t->busy == 0) pthread_cond_signal(&t->ended);
+    if (atomic_fetch_sub(&t->busy, 1) == 1) pthread_cond_signal(&t->ended);
+    pthread_mutex_unlock(&t->lock);
   }
-  pthread_mutex_unlock(&t->lock);
   return NULL;
 }
 
@@ -127,12 +142,13 @@ void arc_team_run(work_team *t, int tasks, team_task task, void *context) {
   t->context = context;
   t->tasks = tasks;
   atomic_store(&t->next, 0);
-  t->busy = t->threads;
-  t->loop++;
+  atomic_store(&t->busy, t->threads);
+  atomic_fetch_add(&t->loop, 1);
   pthread_cond_broadcast(&t->begun);
   pthread_mutex_unlock(&t->lock);
   share(t, 0);
+  yield_while(&t->busy, 0, 0);
   pthread_mutex_lock(&t->lock);
-  while (t->busy > 0) pthread_cond_wait(&t->ended, &t->lock);
+  while (atomic_load(&t->busy) > 0) pthread_cond_wait(&t->ended, &t->lock);
   pthread_mutex_unlock(&t->lock);
 }
