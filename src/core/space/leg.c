@@ -165,13 +165,14 @@ static arc_status halve(const leg *g, part p, const arc_halfspace_friction *begi
  * replaced by the solution in as many increments as necessary. */
 static arc_status refine(leg *g, part p, const arc_halfspace_friction *begin,
                          arc_halfspace_friction *state, arc_error *error) {
-  enum { most_halvings = 40 };
+  enum { most_halvings = 9, most_for_turns = 40 };
   arc_halfspace_friction middle, end;
   arc_status status = halve(g, p, begin, state, &middle, &end, error);
   if (status == ARC_OK) {
     const solutions s = {begin, state, &middle, &end};
     if (p.halvings == 0) find_scales(g, &s);
-    const int resolved = is_resolved(g, &s), last = p.halvings >= most_halvings;
+    const int most = turns_at_once(g, &s) ? most_for_turns : most_halvings;
+    const int resolved = is_resolved(g, &s), last = p.halvings >= most;
     g->effort->unresolved += last && !resolved;
     status = resolved || last ? accept(g, p, &end, state, error)
                               : refine_halves(g, p, begin, &middle, state, error);
