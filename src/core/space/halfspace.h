@@ -117,6 +117,12 @@ arc_status arc_space_estimate(const arc_halfspace_def *def, double radius_x, dou
 /* Computes an initial guess of the pressures in a window from its gaps and the load. */
 void arc_space_guess(const arc_halfspace *h, const double *gap, double load, double *pressure);
 
+/* Returns the friction work of the last increment of a state at site k, per area [N/mm]: its slip
+ * times its mean friction limit. `before` is its pressure before the increment. Sites that stick do
+ * no work. */
+double arc_space_work_at(double friction, double before, const arc_halfspace_friction *state,
+                         int k);
+
 static inline double space_x(const arc_halfspace_def *d, int rows, int i) {
   return (i - (rows - 1) / 2.0) * d->size_x;
 }

@@ -1,7 +1,7 @@
 /* Computes legs of a loading history. In a leg, load and motion (or force) change in proportion.
  * The increments of a leg are halved until a further halving hardly changes motion, shear and
  * work. */
-#include "archard/space.h"
+#include "core/space/halfspace.h"
 
 #include <math.h>
 
@@ -59,22 +59,17 @@ static double shear_change(const leg *g, const solutions *s) {
   return sum * arc_halfspace_site_area(g->h, ARC_UPPER);
 }
 
-/* Returns the work of the last increment of a state at site k, divided by friction and the area of
- * a site. `before` is the state before the increment. */
-static double work_at(const arc_halfspace_friction *before, const arc_halfspace_friction *state,
-                      int k) {
-  const double mean = (before->pressure[k] + state->pressure[k]) / 2;
-  return state->stick[k] > 0 ? 0 : mean * hypot(state->moved[0][k], state->moved[1][k]);
-}
-
 /* Returns the sum of the changes of work over the cells [N mm]. The sum of the work itself may
  * agree by chance, where changes in different cells cancel. */
 static double work_change(const leg *g, const solutions *s) {
+  const double mu = g->def->to.friction, *const start = s->begin->pressure,
+               *const half = s->middle->pressure;
   double sum = 0;
   for (int k = 0; k < arc_halfspace_sites(g->h, ARC_UPPER); k++)
-    sum += fabs(work_at(s->begin, s->middle, k) + work_at(s->middle, s->twice, k) -
-                work_at(s->begin, s->once, k));
-  return g->def->to.friction * sum * arc_halfspace_site_area(g->h, ARC_UPPER);
+    sum += fabs(arc_space_work_at(mu, start[k], s->middle, k) +
+                arc_space_work_at(mu, half[k], s->twice, k) -
+                arc_space_work_at(mu, start[k], s->once, k));
+  return sum * arc_halfspace_site_area(g->h, ARC_UPPER);
 }
 
 /* Computes the reference values of force, motion and work of a leg from its solutions in one and in

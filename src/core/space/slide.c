@@ -345,13 +345,11 @@ static arc_status sweep_and_follow(increment *s, arc_halfspace_effort *effort, a
 
 /* --- result ----------------------------------------------------------------------------------- */
 
-/* Returns the friction work of a site: its slip times its mean friction limit in the increment.
- * Sites that stick do no work. */
-static double work_of(const increment *s, const double *pressure, const double *const moved[2],
-                      int k) {
-  if (s->w.state[k] == SHEAR_STICK) return 0;
-  const double mean = s->to->friction * (s->from->pressure[k] + pressure[k]) / 2;
-  return mean * hypot(moved[0][k], moved[1][k]);
+double arc_space_work_at(double friction, double before, const arc_halfspace_friction *state,
+                         int k) {
+  if (state->stick[k] > 0) return 0;
+  const double mean = friction * (before + state->pressure[k]) / 2;
+  return mean * hypot(state->moved[0][k], state->moved[1][k]);
 }
 
 /* Returns the fraction of the slip w.slip during which site k was in contact. It is 1 for a site
@@ -376,9 +374,10 @@ static void store(const increment *s, arc_halfspace_friction *state) {
     }
   }
   for (int k = 0; k < n; k++) {
-    sum += work_of(s, s->pressure, (const double *const[2]){state->moved[0], state->moved[1]}, k);
+    const double before = state->pressure[k];
     state->stick[k] = s->w.state[k] == SHEAR_STICK;
     state->pressure[k] = s->pressure[k];
+    sum += arc_space_work_at(s->to->friction, before, state, k);
   }
   state->work = area * sum;
   state->energy += state->work;
