@@ -15,13 +15,14 @@ enum { block = 8 }; /* number of columns that are transformed together */
 
 struct convolution {
   int rows, columns, box_rows, box_columns;
-  int half;       /* number of columns of the spectrum: box_columns / 2 + 1 */
-  int stride;     /* distance between the starts of two rows of the spectrum, in complex numbers */
-  int padded;     /* distance between the starts of two rows of the values, in real numbers */
-  int tall;       /* distance between the starts of two columns of a block, in complex numbers; not
-                     a power of two, because few such columns fit into the processor's cache */
-  double *symbol; /* [half][box_rows] scaled symbol, column by column */
-  int imaginary;  /* true if the symbol is multiplied by the imaginary unit */
+  int half;   /* number of columns of the spectrum: box_columns / 2 + 1 */
+  int stride; /* distance between the starts of two rows of the spectrum, in complex numbers */
+  int padded; /* distance between the starts of two rows of the values, in real numbers */
+  int tall;   /* distance between the starts of two columns of a block, in complex numbers; longer
+                 than a column, because few columns whose starts are a large power of two apart
+                 fit into the processor's cache */
+  double *symbol;           /* [half][box_rows] scaled symbol, column by column */
+  int imaginary;            /* true if the symbol is multiplied by the imaginary unit */
   fftw_plan into, out_of;   /* plans for rows: forward and backward transform */
   fftw_plan down[2], up[2]; /* plans for the columns of a full block, and of the last block */
 };

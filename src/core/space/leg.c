@@ -100,7 +100,7 @@ static int turns_at_once(const leg *g, const solutions *s) {
  * changes. */
 static int is_resolved(const leg *g, const solutions *s) {
   const double own = s->twice->energy - s->begin->energy;
-  if (turns_at_once(g, s) || !(shear_change(g, s) <= shear_share * g->carried)) return 0;
+  if (!(shear_change(g, s) <= shear_share * g->carried)) return 0;
   for (int i = 0; i < 2; i++)
     if (!(fabs(s->twice->xi[i] - s->once->xi[i]) <= motion_share * g->yielding)) return 0;
   return work_change(g, s) <= fmax(own_share * own, work_share * g->work);
@@ -166,8 +166,8 @@ static arc_status refine(leg *g, part p, const arc_halfspace_friction *begin,
   if (status == ARC_OK) {
     const solutions s = {begin, state, &middle, &end};
     if (p.halvings == 0) find_scales(g, &s);
-    const int most = turns_at_once(g, &s) ? most_for_turns : most_halvings;
-    const int resolved = is_resolved(g, &s), last = p.halvings >= most;
+    const int turns = turns_at_once(g, &s), resolved = !turns && is_resolved(g, &s);
+    const int last = p.halvings >= (turns ? most_for_turns : most_halvings);
     g->effort->unresolved += last && !resolved;
     status = resolved || last ? accept(g, p, &end, state, error)
                               : refine_halves(g, p, begin, &middle, state, error);
