@@ -384,6 +384,8 @@ return {
     text = "In 3-D: a map of a body over x and z: wear depth [mm] (default), worn height [mm], or pressure [MPa] "
       .. "under the nominal load with the plate at x = 0. w:profile(body, { z = 0 }) and w:profile(body, { x = 0 "
       .. "}) are sections." },
+  { "wear.surfaces", kind = "method", use = "w:surfaces()",
+    text = "The present surfaces of both bodies, as in case.surfaces." },
   { "wear.stability", kind = "method", use = "w:stability()",
     text = "Returns { eigenvalue=, jump_limit= }: the largest growth rate of ripples [1/cycle], linearised at the "
       .. "present state, and the largest stable jump, 2 / eigenvalue [cycles]. Explicit updates with a larger jump "

@@ -291,7 +291,7 @@ return {
   { "case.last", kind = "field", text = "The last record of the history: a table with the names of the columns as keys." },
   { "case.surfaces", kind = "field",
     text = "All stored surfaces: { body=, update=, distance=, x=, h=, y=, p= }, lengths in mm, the pressure p in "
-      .. "MPa." },
+      .. "MPa. In 3-D also z=; the lists contain all points, row by row along z." },
   { "case.model", kind = "field", text = "Definition of the model, as a table." },
   { "case.hertz", kind = "field", class = "hertz", text = "Hertz' solution of the unworn contact." },
   { "case.depth", kind = "field", unit = "mm", text = "Final largest wear depths: { cylinder=, plate= }." },
@@ -313,6 +313,9 @@ return {
   { "case.pressure", kind = "method", use = 'case:pressure("cylinder" | "plate", distance)',
     text = "Pressure { x=, p= } in mm and MPa of the last surface stored up to this distance [mm], with the plate "
       .. "at x = 0." },
+  { "case.map", kind = "method", result = "map", use = 'case:map("ball", "depth" | "height" | "pressure", distance)',
+    text = "In 3-D: a map of a body over x and z, of the last surface stored up to this distance [mm]; default: "
+      .. "the final surface. case:profile and case:pressure are its line along the motion through the middle." },
   { "case.combined", kind = "method", use = "case:combined(distance)",
     text = "Sum of both wear profiles { x=, h= } in mm, Eq. (31)." },
   { "case.local_partition", kind = "method", use = "case:local_partition(distance)",

@@ -6,6 +6,7 @@ local joint_bodies = require "archard.joint.bodies"
 local joint_file = require "archard.joint.file"
 local hertz_of = require "archard.lib.hertz_of"
 local keys = require "archard.lib.keys"
+local map = require "archard.map.made"
 local measure = require "archard.measure"
 local naming = require "archard.plot.naming"
 local merged = require "archard.lib.merged"
@@ -110,17 +111,54 @@ local function surface(self, where, body, distance)
   return found
 end
 
+-- Returns the numbers of rows over x and of columns over z of a stored surface in 3-D.
+local function size_of(found)
+  local columns = 1
+  while found.x[columns + 1] == found.x[1] do columns = columns + 1 end
+  return #found.x // columns, columns
+end
+
+-- Returns the given lists of a stored surface and its distance as a table. In 3-D, returns the line along
+-- the motion through the middle; for a groove, which does not vary along the motion, the line across it.
+local function line(where, found, names)
+  local of = { distance = found.distance }
+  local rows, columns = 1, 1
+  if found.z then rows, columns = size_of(found) end
+  for _, name in ipairs(names) do
+    local list = {}
+    for i = 0, rows - 1 do list[i + 1] = found[name][i * columns + columns // 2 + 1] end
+    of[name] = (not found.z or rows == 1) and found[found.z and name == "x" and "z" or name] or list
+  end
+  return strict.table(of, where)
+end
+
 local function profile(self, where, body, distance)
-  local found = surface(self, where, body, distance)
-  return strict.table({ x = found.x, h = found.h, y = found.y, distance = found.distance },
-    "case:profile")
+  return line("case:profile", surface(self, where, body, distance), { "x", "h", "y" })
 end
 
 function methods:profile(body, distance) return profile(self, "case:profile", body, distance) end
 
 function methods:pressure(body, distance)
-  local found = surface(self, "case:pressure", body, distance)
-  return strict.table({ x = found.x, p = found.p, distance = found.distance }, "case:pressure")
+  return line("case:pressure", surface(self, "case:pressure", body, distance), { "x", "p" })
+end
+
+local quantities = { depth = { "h", "mm" }, height = { "y", "mm" }, pressure = { "p", "MPa" } }
+
+-- Returns a map of a surface of a 3-D run. what: a key of `quantities`, default "depth".
+function methods:map(body, what, distance)
+  local where = "case:map"
+  what = what == nil and "depth" or what
+  if not quantities[what] then check.refuse(where, "what", '"depth", "height" or "pressure"', what) end
+  local found = surface(self, where, body, distance)
+  local rows, columns = 1, 1
+  if found.z then rows, columns = size_of(found) end
+  if rows < 2 or columns < 2 then
+    check.fail(where, "expected a surface stored as a map of a 3-D run, got a line: use case:profile()")
+  end
+  local name, unit = table.unpack(quantities[what])
+  local x = {}
+  for i = 1, rows do x[i] = found.x[(i - 1) * columns + 1] end
+  return map.new{ x = x, z = table.move(found.z, 1, columns, 1, {}), y = found[name], unit = unit, name = what }
 end
 
 -- Returns the list of sliding distances [mm] at which surfaces are stored.

@@ -18,12 +18,7 @@ local function recorder(count, total)
 end
 
 local function record(run, list)
-  for i, body in ipairs { "cylinder", "plate" } do
-    local role = i == 1 and "upper" or "lower"
-    local profile, pressure = run:profile(role), run:pressure(role)
-    list[#list + 1] = { body = body, update = run.update, distance = run.distance,
-      x = profile.x, h = profile.h, y = profile.y, p = pressure.p }
-  end
+  for _, surface in ipairs(run:surfaces()) do list[#list + 1] = surface end
 end
 
 -- Returns the surfaces recorded before the run was saved, which the run file stores together with the state

@@ -113,9 +113,25 @@ local sampled = wear{ model = m, alpha = 0.3, distance = 50, load = 10,
 sampled:run()
 near(sampled.depth.ball, alone.depth.ball, 5e-3, "a loading agrees with the equal stroke")
 
-local s = study{ base = { model = { geometry = "3-D" }, load = 10, stroke = 0.04, distance = 20 }, vary = { alpha = { 0, 1 } } }
+local s = study{ base = { model = { geometry = "3-D" }, load = 10, stroke = 0.04, distance = 200 }, vary = { alpha = { 0, 1 } } }
 s:run{ progress = false, workers = 1 }
 is(#s:cases(), 2, "a study of two runs in 3-D")
+do
+  local case = s:cases()[2]
+  local at = case:distances()
+  ok(#at >= 5, "a study in 3-D stores surfaces at several distances: " .. #at)
+  local row, deepest = 1, 0
+  while case.history.distance[row] < at[4] do row = row + 1 end
+  local depth, line = case:map("ball", "depth", at[4]), case:profile("ball", at[4])
+  for _, h in ipairs(depth.y) do deepest = math.max(deepest, h) end
+  is(deepest, case.history.depth_cylinder[row], "the stored map has the depth of its update")
+  is(#line.h, #depth.x, "case:profile of a stored map has a point for each row")
+  local section = depth:profile{ z = 0 }
+  near(line.h[#line.h // 2], section.y[#line.h // 2], 1e-12, "case:profile is the line at z = 0")
+  ok(same(case:wear(), case:wear()) and #case:pressure("block").x == #case:wear():map("block").x,
+    "case:pressure has the points of the final map")
+  fails(function() case:map("ball", "stress") end, 'expected "depth", "height" or "pressure"', "a map of stresses of a case")
+end
 s:close()
 
 -- --- windows enlarged automatically, tracks of strokes ----------------------------------------------

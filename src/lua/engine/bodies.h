@@ -10,8 +10,8 @@
  * valid until the calling C function returns. */
 void body_read(lua_State *L, int index, args_location location, arc_model_def *def);
 
-/* Reads only the kinds and names of the bodies and raises no errors. The function is used before
- * the model is built. */
+/* Reads only what decides the names of the bodies: their kinds and names, and whether the model is
+ * three-dimensional. Raises no errors. The function is used before the model is built. */
 void body_read_names(lua_State *L, int index, arc_model_def *def);
 
 /* Pushes a body of a model as a table for body_read, or nil for the default body. */

@@ -322,16 +322,25 @@ void body_read(lua_State *L, int index, args_location location, arc_model_def *d
   }
 }
 
+/* Returns the index in `names` of the string in a field of the table at `index`, or `otherwise`. */
+static int choice_at(lua_State *L, int index, const char *field, const char *const *names,
+                     int otherwise) {
+  if (lua_getfield(L, index, field) == LUA_TSTRING)
+    for (int i = 0; names[i]; i++)
+      if (strcmp(names[i], lua_tostring(L, -1)) == 0) otherwise = i;
+  lua_pop(L, 1);
+  return otherwise;
+}
+
 static void read_name(lua_State *L, arc_body_def *def) {
-  if (lua_getfield(L, -1, "kind") == LUA_TSTRING)
-    for (int kind = 0; arc_solid_names[kind]; kind++)
-      if (strcmp(arc_solid_names[kind], lua_tostring(L, -1)) == 0) def->kind = (arc_solid)kind;
-  if (lua_getfield(L, -2, "name") == LUA_TSTRING)
+  def->kind = (arc_solid)choice_at(L, -1, "kind", arc_solid_names, (int)def->kind);
+  if (lua_getfield(L, -1, "name") == LUA_TSTRING)
     snprintf(def->name, sizeof def->name, "%s", lua_tostring(L, -1));
-  lua_pop(L, 2);
+  lua_pop(L, 1);
 }
 
 void body_read_names(lua_State *L, int index, arc_model_def *def) {
+  def->geometry = (arc_space)choice_at(L, index, "geometry", arc_space_names, (int)def->geometry);
   for (int b = 0; b < ARC_BODIES; b++) {
     if (lua_getfield(L, index, arc_model_role_name((arc_body)b)) == LUA_TTABLE)
       read_name(L, &def->body[b]);

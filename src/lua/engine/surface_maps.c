@@ -143,3 +143,28 @@ void surface_push_section(lua_State *L, int index, const char *where, const arc_
   }
   strict_table(L, where);
 }
+
+/* --- lists of surfaces ------------------------------------------------------------------------ */
+
+/* Pushes a new surface table with the body, update and distance of an array. */
+static void begin_surface(lua_State *L, const arc_array *array) {
+  lua_createtable(L, 0, 8);
+  lua_pushstring(L, arc_body_name(array->body));
+  lua_setfield(L, -2, "body");
+  array_set_number(L, "update", array->update);
+  array_set_number(L, "distance", array->distance);
+}
+
+void surface_push_list(lua_State *L, const arc_array *arrays, size_t count) {
+  lua_newtable(L);
+  for (size_t i = 0; i < count; i++) {
+    const arc_array *array = &arrays[i], *before = i > 0 ? array - 1 : NULL;
+    if (!before || array->body != before->body || array->update != before->update) {
+      begin_surface(L, array);
+      lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
+    }
+    lua_rawgeti(L, -1, (lua_Integer)lua_rawlen(L, -1));
+    array_set(L, array->name, array->values, arc_array_count(array));
+    lua_pop(L, 1);
+  }
+}

@@ -18,6 +18,10 @@ void surface_push_map(lua_State *L, const arc_array *arrays, size_t count, arc_b
 void surface_push_section(lua_State *L, int index, const char *where, const arc_array *arrays,
                           size_t count, arc_body body, const char *const *names);
 
+/* Pushes the list of surfaces { body=, update=, distance=, x=, h=, y=, p= }, with z in 3-D. The
+ * arrays must be sorted by body and update. */
+void surface_push_list(lua_State *L, const arc_array *arrays, size_t count);
+
 /* Pushes the stresses [MPa] of a 3-D contact (stress_map.c) as a table of maps sxx .. sxz, mises.
  * The table at `index` selects a plane, { y= }, or a section, { z= } or { x= }. Its field `body`
  * selects the body (default lower). The maps of a section extend over x (or z) and the depth, which

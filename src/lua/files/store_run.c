@@ -4,6 +4,7 @@
 #include "lua/base/error.h"
 #include "lua/base/file_name.h"
 #include "lua/base/scripts.h"
+#include "lua/engine/surface_maps.h"
 #include "lua/files/store_module.h"
 #include "lua/wear/wear_class.h"
 #include "lua/wear/wear_functions.h"
@@ -37,8 +38,8 @@ static void read_array(lua_State *L, int anchors, arc_array *array) {
   lua_pop(L, 1);
 }
 
-/* Reads the table { body=, update=, distance=, x=, h=, y=, p= } on top of the stack. Returns the
- * number of its arrays. */
+/* Reads the table { body=, update=, distance=, x=, h=, y=, p= }, with z in 3-D, on top of the
+ * stack. Returns the number of its arrays. */
 static size_t read_surface(lua_State *L, int anchors, arc_array *arrays) {
   arc_array array = {
       .update = read_number(L, "update"), .distance = read_number(L, "distance"), .size = {0, 1}};
@@ -48,6 +49,13 @@ static size_t read_surface(lua_State *L, int anchors, arc_array *arrays) {
   lua_pop(L, 1);
   for (const char *const *name = arc_surface_names; *name; name++) {
     array.name = *name;
+    read_array(L, anchors, &array);
+    arrays[count++] = array;
+  }
+  array.name = "z";
+  const int is_map = lua_getfield(L, -1, array.name) != LUA_TNIL;
+  lua_pop(L, 1);
+  if (is_map) {
     read_array(L, anchors, &array);
     arrays[count++] = array;
   }
@@ -139,32 +147,12 @@ int store_history(lua_State *L) {
   return 0;
 }
 
-/* Pushes a new surface table with the body, update and distance of an array. */
-static void begin_surface(lua_State *L, const arc_array *array) {
-  lua_createtable(L, 0, 7);
-  lua_pushstring(L, arc_body_name(array->body));
-  lua_setfield(L, -2, "body");
-  array_set_number(L, "update", array->update);
-  array_set_number(L, "distance", array->distance);
-}
-
 static int push_surfaces(lua_State *L) {
-  const arc_array *array = lua_touserdata(L, 1);
-  const size_t count = (size_t)lua_tointeger(L, 2);
-  lua_newtable(L);
-  for (size_t i = 0; i < count; i++) {
-    if (i == 0 || array[i].body != array[i - 1].body || array[i].update != array[i - 1].update) {
-      begin_surface(L, &array[i]);
-      lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
-    }
-    lua_rawgeti(L, -1, (lua_Integer)lua_rawlen(L, -1));
-    array_set(L, array[i].name, array[i].values, arc_array_count(&array[i]));
-    lua_pop(L, 1);
-  }
+  surface_push_list(L, lua_touserdata(L, 1), (size_t)lua_tointeger(L, 2));
   return 1;
 }
 
-/* store:surfaces(id) returns a list of { body=, update=, distance=, x=, h=, y=, p= }. */
+/* store:surfaces(id) returns a list, see surface_push_list. */
 int store_surfaces(lua_State *L) {
   arc_error error = {0};
   arc_array *surfaces;

@@ -210,6 +210,7 @@ static const luaL_Reg methods[] = {
     {"profile", wear_profile},
     {"pressure", wear_pressure},
     {"map", wear_map},
+    {"surfaces", wear_surfaces},
     {"combined", wear_combined},
     {"local_partition", wear_local_partition},
     {"roughness", wear_roughness},

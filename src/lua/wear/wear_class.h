@@ -82,6 +82,7 @@ wear_goals wear_goals_read(lua_State *L, const arc_wear *wear);
 int wear_profile(lua_State *L);
 int wear_pressure(lua_State *L);
 int wear_map(lua_State *L);
+int wear_surfaces(lua_State *L);
 int wear_contact(lua_State *L);
 int wear_p_average(lua_State *L);
 int wear_combined(lua_State *L);

@@ -62,6 +62,15 @@ int wear_map(lua_State *L) {
   return 1;
 }
 
+/* wear:surfaces() returns the present surfaces as a list, see surface_push_list. */
+int wear_surfaces(lua_State *L) {
+  static const char where[] = "wear:surfaces";
+  size_t count;
+  const arc_array *arrays = push_surfaces(L, wear_self(L, where), where, &count);
+  surface_push_list(L, arrays, count);
+  return 1;
+}
+
 /* wear:profile(body) returns { x=, h=, y=, worn_x=, way= }. */
 int wear_profile(lua_State *L) {
   static const char *const names[] = {"h", "y", NULL};
