@@ -4,6 +4,7 @@
 
 #include "core/numeric/convolution.h"
 #include "core/space/cerruti.h"
+#include "core/space/stick_zone.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -449,13 +450,30 @@ static void test_refused(void **state) {
   arc_halfspace_destroy(&h);
 }
 
+/* --- cells of stick zones --------------------------------------------------------------------- */
+
+/* Tests that the cells fitted to stick zones scale with the zones, are the same for exchanged axes,
+ * and are at most a sixth smaller than the given size. */
+static void test_stick_zone(void **state) {
+  (void)state;
+  random_start(11);
+  for (int k = 0; k < 20; k++) {
+    const double x = random_in(8, 40), z = random_in(8, 40), annulus = random_in(3, 8);
+    const double cell = arc_stick_zone_cell(1, x, z, annulus);
+    assert_true(cell <= 1 && cell >= 5.0 / 6);
+    assert_true(arc_stick_zone_cell(1, z, x, annulus) == cell);
+    assert_true(arc_stick_zone_cell(0.25, 0.25 * x, 0.25 * z, 0.25 * annulus) == 0.25 * cell);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_parity),     cmocka_unit_test(test_rectangles),
-      cmocka_unit_test(test_mindlin),    cmocka_unit_test(test_wide_window),
-      cmocka_unit_test(test_ellipse),    cmocka_unit_test(test_spence),
-      cmocka_unit_test(test_symmetries), cmocka_unit_test(test_random_paths),
-      cmocka_unit_test(test_round),      cmocka_unit_test(test_refused),
+      cmocka_unit_test(test_stick_zone),   cmocka_unit_test(test_parity),
+      cmocka_unit_test(test_rectangles),   cmocka_unit_test(test_mindlin),
+      cmocka_unit_test(test_wide_window),  cmocka_unit_test(test_ellipse),
+      cmocka_unit_test(test_spence),       cmocka_unit_test(test_symmetries),
+      cmocka_unit_test(test_random_paths), cmocka_unit_test(test_round),
+      cmocka_unit_test(test_refused),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -53,15 +53,15 @@ for _, case in ipairs{ { 0.5, 1.0844e-7, 8.46e-7, 1.503e-5, 9.0055e-7, 7.7996e-5
   w:run{ progress = false }
   local a = contact_of(0)
   within(w.volume.total, volume, 0.005, label .. ", end of wear: volume [mm3]")
-  within(w.depth.cylinder, deepest, 0.006, label .. ", end of wear: depth [mm]")
+  within(w.depth.cylinder, deepest, 0.005, label .. ", end of wear: depth [mm]")
   within(contact{ worn = w, load = load }.approach, approach * a * a / radius, 0.001,
     label .. ", end of wear: approach [mm]")
 end
 
--- The stick zone ends at rows of cells on its axes. If a straight row slips although it is mostly within the
--- zone, the largest depth is up to 5.5 % too large.
-for _, case in ipairs{ { 0.45, 6.2361e-5 }, { 0.55, 9.6684e-5 }, { 0.6, 1.1926e-4 } } do
-  within(fret(0, case[1], 0):run{ progress = false }.depth.cylinder, case[2], 0.01,
+-- The largest depth depends on how the cells fit the rim of the stick zone. With other cells it is up to 5.5 %
+-- too large.
+for _, case in ipairs{ { 0.3, 2.8663e-5 }, { 0.45, 6.2361e-5 }, { 0.55, 9.6684e-5 }, { 0.6, 1.1926e-4 } } do
+  within(fret(0, case[1], 0):run{ progress = false }.depth.cylinder, case[2], 0.008,
     ("nu = 0, %g of full slip, automatic cells, end of wear: depth [mm]"):format(case[1]))
 end
 

@@ -3,6 +3,7 @@
 #include "core/elastic/pair.h"
 #include "core/space/cerruti.h"
 #include "core/space/space_kind.h"
+#include "core/space/stick_zone.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -91,45 +92,6 @@ double arc_space_slip_volume(const arc_wear_def *d, const arc_model_def *model) 
   return periods * loop / (4 * hertz.p_max); /* `loop` is for mu = 1; mu cancels in the volume */
 }
 
-/* Returns the number of cells whose centre lies within an ellipse of the half axes x and z
- * [cells], divided by the area of the ellipse. */
-static double filling(double x, double z) {
-  const int rows = (int)ceil(x), columns = (int)ceil(z);
-  int inside = 0;
-  for (int i = -rows; i <= rows; i++)
-    for (int j = -columns; j <= columns; j++) inside += (i / x) * (i / x) + (j / z) * (j / z) <= 1;
-  return inside / (acos(-1) * x * z);
-}
-
-/* Returns the effect, as a fraction of the area, of the row of cells at an end of an axis of the
- * stick zone. It is above 0 if the half axis [cells] ends beyond the first fifth of its last cell.
- * Then a straight row of cells slips although the zone covers much of it, and the depth there is
- * too large by up to a tenth of the largest depth. Rows are longer in larger zones. */
-static double ragged(double half) {
-  static const double covered = 0.2, straight = 0.015, few = 11.5;
-  return straight * fmax(0, half - floor(half) - covered) * fmax(0, 1 - few / half);
-}
-
-/* Returns the cell size, at most a sixth smaller than `size`, that fits the stick zone best: the
- * area of the sticking cells equals the area of the zone, and the zone ends at the rows of cells on
- * its axes. The area matters because wear in partial slip ends when the zone carries the whole
- * load. Cells stick if their centre is at most 0.113 of a cell beyond the edge of the zone, as
- * measured at the end of wear for ten amplitudes (0.113 +- 0.007). */
-static double fill_zone(double size, double x, double z) {
-  enum { tries = 60 };
-  static const double beyond = 0.113, play = 0.02, range = 1.0 / 6;
-  double best = size, least = INFINITY;
-  for (int i = 0; i < tries; i++) {
-    const double now = size * (1 - range * i / tries), a = x / now + beyond, b = z / now + beyond;
-    const double off =
-        fmax(fabs(filling(a - play, b - play) * (a - play) * (b - play) / (a * b) - 1),
-             fabs(filling(a + play, b + play) * (a + play) * (b + play) / (a * b) - 1)) +
-        fmax(ragged(a - play), ragged(b - play));
-    if (off < least) least = off, best = now;
-  }
-  return best;
-}
-
 double arc_space_slip_cell(const arc_wear_def *def, const arc_model_def *model) {
   /* in_rim, in_stick and in_contact are minimum numbers of cells in the width of the slip annulus,
    * in the radius of the stick zone and in the half width of the contact. A small stick zone, which
@@ -144,7 +106,8 @@ double arc_space_slip_cell(const arc_wear_def *def, const arc_model_def *model) 
   const double for_rim = fmin(most, in_rim / (1 - share));
   const double for_both = fmax(for_rim, fmin(for_stick, in_stick / share));
   const double cells = fmax(in_contact, for_both) * finer;
-  return fill_zone(half / cells, share * hertz.half_width, share * hertz.half_width_z);
+  return arc_stick_zone_cell(half / cells, share * hertz.half_width, share * hertz.half_width_z,
+                             (1 - share) * half);
 }
 
 void arc_space_warn_slip(const arc_wear_def *def, const arc_model_def *model, double size,
