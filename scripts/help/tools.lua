@@ -74,9 +74,9 @@ return {
     text = "Radius of the circle that was subtracted." },
   { "profile.scar", kind = "field", type = "table { from=, to= }", unit = "mm", text = "Range of the worn "
     .. "part, if it is known." },
-  { "profile.scatter", kind = "field", type = "table { deviation=, length= }", unit = "mm",
-    text = "Deviation of the unworn part from the line or circle: standard deviation (roughness and noise) and "
-      .. "correlation length." },
+  { "profile.scatter", kind = "field", type = "table { deviation=, length=, points= }", unit = "mm",
+    text = "Deviation of the unworn part from the line or circle: standard deviation (roughness and noise, at "
+      .. "least that of the noise), correlation length, and the number of points of the unworn part." },
   { "profile.cutoff", kind = "field", type = "number", unit = "mm",
     text = "Cut-off of the filter that was applied; nil without a filter." },
   { "profile.missing", kind = "field", type = "number", text = "Number of points without a value that were removed." },

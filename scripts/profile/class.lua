@@ -124,9 +124,17 @@ local function fitted(where, p, z, kind, worn)
   end
   if not found or not (found:height(p.x[1]) and found:height(p.x[#p.x])) then
     check.fail(where, ("field 'level': the points of this trace do not determine a %s%s"):format(kind,
-      worn and " beside the scar" or ""))
+      worn and " beside the scar; give the ends of the scar, scar = { from, to }, or a longer trace" or ""))
   end
   return found, from and { from, to }, is_used
+end
+
+-- Warns if few points determine the form that is subtracted.
+local function warn_few(where, kind, points, all)
+  local few = 8
+  if points >= few or points == all then return end
+  warn(("%s: the %s is fitted to %d of %d points, those more than a fifth of the scar's width beside the scar: errors of areas "
+    .. "and depths are uncertain; use a longer trace"):format(where, kind, points, all))
 end
 
 -- Returns a profile minus a fitted line or circle (the form). The form is fitted to all points or, if `worn`
@@ -139,9 +147,10 @@ function profile.level(where, p, kind, worn)
     rest[i] = z[i] - found:height(p.x[i])
     depth[i] = -rest[i]
   end
-  local deviation, length = scar.scatter(p.x, depth, is_used)
-  local result = profile.derived(p, p.x, rest, { form = kind, scatter = strict.table({ deviation = deviation,
-    length = length }, "profile.scatter") })
+  local deviation, length, points = scar.scatter(p.x, depth, is_used, form.parameters[kind])
+  warn_few(where, kind, points, #z)
+  local result = profile.derived(p, p.x, rest, { form = kind, scatter = strict.table({
+    deviation = math.max(deviation, p.error), length = length, points = points }, "profile.scatter") })
   result.radius = kind == "circle" and found:radius() or nil
   result.scar = scar_at and strict.table({ from = scar_at[1], to = scar_at[2] }, "profile.scar") or nil
   result.removed = found -- the form, needed for repeated levelling and for the uncertainty of areas
@@ -298,8 +307,8 @@ function class.__tostring(p)
       p.correlation > 1.5 * profile.step(p) and (" over %.4g mm"):format(p.correlation) or "") }
   if p.form then
     local is_round = p.form == "line" and p.error > 0 and p.scatter.deviation > uneven * p.error
-    lines[#lines + 1] = ("  minus a %s%s, scatter about it %s%s"):format(p.form,
-      p.radius and (" of radius %.6g mm"):format(p.radius) or "", um(p.scatter.deviation),
+    lines[#lines + 1] = ("  minus a %s%s through %d points, scatter about it %s%s"):format(p.form,
+      p.radius and (" of radius %.6g mm"):format(p.radius) or "", p.scatter.points, um(p.scatter.deviation),
       is_round and ': is the surface round? level = "circle" subtracts a circle' or "")
   end
   if p.scar then lines[#lines + 1] = ("  worn from x %.4g to %.4g mm"):format(p.scar.from, p.scar.to) end

@@ -5,7 +5,7 @@
 local solve = require "archard.lib.linear"
 local strict = require "archard.strict"
 
-local form = { kinds = { "line", "circle" } }
+local form = { kinds = { "line", "circle" }, parameters = { line = 2, circle = 3 } }
 local shape = {} -- methods of a fitted form
 local class = { __name = "form", __methods = shape, __fields = {} }
 

@@ -88,8 +88,9 @@ function scar.fit(x, z, kind, from, to)
   return form.fit(kind, x, z, is_used), from, to, is_used
 end
 
--- Returns the standard deviation [mm] and the correlation length [mm] of the depths of the unworn part.
-function scar.scatter(x, depth, is_used)
+-- Returns the standard deviation [mm] and the correlation length [mm] of the depths of the unworn part, below a
+-- form with `parameters` parameters, and the number of its points.
+function scar.scatter(x, depth, is_used, parameters)
   local list, sum = {}, 0
   for i = 1, #x do
     if not is_used or is_used(x[i]) then
@@ -97,7 +98,7 @@ function scar.scatter(x, depth, is_used)
       sum = sum + depth[i] ^ 2
     end
   end
-  return math.sqrt(sum / #list), noise.length(list) * (x[#x] - x[1]) / (#x - 1)
+  return math.sqrt(sum / math.max(1, #list - parameters)), noise.length(list) * (x[#x] - x[1]) / (#x - 1), #list
 end
 
 -- Returns the weight of each point in an integral over x: the length [mm] of the point's cell between `from`

@@ -4,6 +4,7 @@
 -- which would only slow it down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
+local warnings = require "archard.warnings"
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
 local pi, sin, sqrt, abs, max = math.pi, math.sin, math.sqrt, math.abs, math.max
 
@@ -353,3 +354,20 @@ fails(function() plot.profile(aside, aside:depth()) end,
   "argument 2: expected a profile of heights like the first",
   "plot.profile of heights and depths together")
 os.remove(folder .. ".gp")
+
+-- Tests the stated uncertainty where few points are beside the scar: the true area is within two standard errors
+-- in 95 % of all traces.
+do
+  local within, count, points = 0, 200, 4
+  warnings.keep()
+  for _ = 1, count do
+    local depths = trace(-0.6, 0.6, 40, function(x) return 0.01 * math.max(0, 1 - (x / 0.38) ^ 2) * -1 end, 1.5e-4)
+      :depth{ scar = { -0.4, 0.4 } }
+    local area = depths:volume()
+    if math.abs(area.area - 0.01 * 0.38 * 4 / 3) < 2 * area.error then within = within + 1 end
+    points = math.max(points, depths.scatter.points)
+  end
+  is(points, 4, "largest number of points beside the scar of a short trace")
+  ok(within >= 180, "areas of short traces are within two standard errors: " .. within .. " of 200")
+  holds(warnings.take(), "the line is fitted to 4 of 40 points", "a line through few points gives a warning")
+end
