@@ -287,6 +287,8 @@ return {
       .. "measured profiles: heights, or depths after p:depth(). Accepts the options of plot{}." },
   { "plot.profile{body}", values = { "cylinder", "plate" }, text = "Body whose profiles are drawn." },
   { "plot.profile{titles}", type = "list of strings", text = "Names of the curves in the key." },
+  { "plot.profile{section}", type = "table { x= } or { z= }", unit = "mm",
+    text = "In 3-D: the section to draw, { x = 0 } across the motion or { z = 0 } along it; default: both." },
   { "plot.profile{measured}", type = "profile, or table { x=, h= }",
     text = "A measured trace to draw as points over the curves of one body. Long traces are reduced to 160 means "
       .. "of neighbouring points; heights are converted to depths. A trace whose scar is not at x = 0 is shifted "

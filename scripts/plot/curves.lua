@@ -32,6 +32,10 @@ local function split(where, mark, own, ...)
     elseif naming.part(value, mark) then
       objects[#objects + 1] = value
     elseif type(value) == "table" and not getmetatable(value) and i == select("#", ...) then
+      if type(value[1]) == "string" then
+        check.fail(where, ("expected %s as an argument, as in %s(w, %q, { ... }), got it in a table"):format(check.shown(value[1]), where,
+          value[1]))
+      end
       options = value
     else
       check.fail(where, ("argument %d: expected an object with .%s, a string, or a table of options as the last "
@@ -188,6 +192,21 @@ local function sections(where, objects, names, of_body, scale, options)
   return panels
 end
 
+local section_kind = check.kind("{ x = 0 } or { z = 0 }, a position in mm", function(v)
+  return type(v) == "table" and (v.x == nil) ~= (v.z == nil) and check.number.test(v.x or v.z)
+end)
+
+-- Returns the section to draw of runs in three dimensions, or nil for the default.
+local function section_of(where, options, spatial)
+  if options.section and not spatial then
+    check.fail(where, 'field \'section\': only allowed for runs with geometry = "3-D"')
+  elseif options.measured and spatial and not options.section then
+    check.fail(where, "field 'measured': expected section = { x = 0 } (a trace across the motion) or section = { z = 0 } "
+      .. "(along it) with it, got none")
+  end
+  return options.section
+end
+
 -- Adds a measured trace to a panel. The range of y is then automatic, because a trace may have values above
 -- the original surface.
 local function add_measured(where, panel, given)
@@ -207,23 +226,24 @@ function curves.profile(...)
   local where = "plot.profile"
   if measured.is_profile((...)) then return require "archard.plot.trace" (where, ...) end
   local objects, words, options = split(where, "profile", { body = body_kind,
-    titles = check.table, measured = measured.kind }, ...)
+    titles = check.table, measured = measured.kind, section = section_kind }, ...)
   local body, word = body_word(where, objects, words, options)
+  local spatial = is_spatial(objects[1])
+  local section = section_of(where, options, spatial)
   local names, scale = naming.names_of(where, objects, options.titles)
-  local defaults = { xlabel = "x / mm", ylabel = "wear depth / µm", ydown = true }
-  if (body or #objects == 1) and is_spatial(objects[1]) and not options.measured then
+  local defaults = { xlabel = (section and section.x and "z" or "x") .. " / mm", ylabel = "wear depth / µm", ydown = true }
+  if (body or #objects == 1) and spatial and not section then
     defaults.panels, defaults.layout = sections(where, objects, names, body and { word } or roles, scale, options), { 1, 2 }
     defaults.title = title_of(body and "wear of the " .. body or "wear", objects, options)
   elseif body or #objects == 1 then
-    for name, value in pairs(profile_panel(where, objects, names, body and { word } or roles,
-      scale)) do
+    for name, value in pairs(profile_panel(where, objects, names, body and { word } or roles, scale, section)) do
       defaults[name] = value
     end
     defaults.title = title_of(body and "wear of the " .. body or "wear", objects, options)
   else
     defaults.panels, defaults.layout = {}, { 1, 2 }
     for i, each in ipairs(roles) do
-      defaults.panels[i] = profile_panel(where, objects, names, { each }, scale)
+      defaults.panels[i] = profile_panel(where, objects, names, { each }, scale, section)
       defaults.panels[i].title = naming.body(where, objects[1], each)
     end
   end

@@ -58,6 +58,8 @@ do
   local text = picture_of(function(file) plot.history(one, { file = file }) end)
   has(text, "pressure at the centre / MPa", "plot.history draws the centre pressure by default")
   has(text, "distance / mm", "plot.history draws over the distance by default")
+  refused(function() plot.history(one, { "p_center", "p_max" }) end, 'plot.history(w, "p_center", { ... })',
+    "columns in a table")
   text = picture_of(function(file)
     plot.history(one, two, "p_center", "depth_plate", "depth_cylinder", "depth_partition",
       { file = file, against = "cycle", size = { 100, 70 } })

@@ -322,6 +322,15 @@ local text <close> = io.open(folder .. "/w-block.vti")
 local contents = text:read "a"
 for _, name in ipairs{ "depth", "height", "pressure" } do ok(contents:find('Name="' .. name .. '"', 1, true),
   "a .vti file contains the " .. name) end
+fails(function() export.vti(w, folder .. "/w.vti", { body = "ball" }) end, "unknown field 'body'", "export.vti with a body")
+do
+  local trace = { x = { -0.05, 0, 0.05 }, h = { 0, 1e-4, 0 } }
+  fails(function() plot.profile(w, "ball", { measured = trace, file = folder .. "/m.gp" }) end, "expected section = { x = 0 }",
+    "a measured trace over two sections")
+  plot.profile(w, "ball", { measured = trace, section = { x = 0 }, file = folder .. "/m.gp" })
+  local text = assert(io.open(folder .. "/m.gp")):read "a"
+  ok(text:find("z / mm", 1, true) and text:find("measured", 1, true), "plot.profile draws a trace over the section across the motion")
+end
 is(export.vti(c, folder .. "/c.vti"), folder .. "/c.vti", "export.vti of a contact")
 is(select("#", export.vti(disc, folder .. "/d.vti")), 1, "export.vti writes no map of a groove")
 local series = run{ distance = 20 }
