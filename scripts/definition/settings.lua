@@ -24,8 +24,11 @@ function settings.value_at(object, path)
   return object
 end
 
--- Settings that are not stored, since another setting determines them: mesh.size determines mesh.fineness.
-local implied = { ["mesh.fineness"] = true }
+-- Returns true if a setting of a material or model is not stored, since another setting determines it: the size
+-- of a mesh determines its fineness.
+local function is_implied(path, value)
+  return path == "mesh.fineness" and (type(value.mesh.size) == "number" or value.mesh.fineness == 0)
+end
 
 -- Returns flat settings from which a copy of a material or model can be created.
 local function as_table(where, name, value)
@@ -36,7 +39,7 @@ local function as_table(where, name, value)
   end
   local flat, outside = {}, class == "model" and (value.mesh.upper or {}).rows == 0
   for _, setting in ipairs(known[class]) do
-    local own = (not setting.group or setting.class) and not implied[setting.path]
+    local own = (not setting.group or setting.class) and not is_implied(setting.path, value)
     local body = class == "model" and number.role_of[setting.path:match("^%l+")] -- role of a material's body
     local left = outside and setting.path:match("^mesh%.") or body and value[body]
     if own and not left then flat[setting.path] = settings.value_at(value, setting.path) end

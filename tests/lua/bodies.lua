@@ -60,3 +60,12 @@ copy:run{ file = file, workers = 1, progress = false }
 is(copy:cases()[1].status, "done", "a study of a model with an automatic mesh size")
 copy:close()
 os.remove(file)
+-- Tests that a study keeps the fineness of a model without a mesh size.
+do
+  local spatial = model{ geometry = "3-D", mesh = { fineness = 0.5 } }
+  local fine = study{ base = { model = spatial, load = 10, stroke = 0.1, distance = 2 } }
+  fine:run{ file = file, workers = 1, progress = false }
+  is(fine:cases()[1]:wear().model.mesh.fineness, 0.5, "a study in 3-D keeps the fineness of a model object")
+  fine:close()
+  os.remove(file)
+end
