@@ -133,7 +133,7 @@ end
 
 local function need_distance(where, prefix, given, what)
   if check.positive.test(given.distance) then return end
-  check.refuse(where, prefix .. ".distance", ("the sliding distance of the %s, a number > 0 in mm"):format(what),
+  check.refuse(where, prefix .. ".distance", ("the sliding distance of the %s, a number > 0 in mm (or cycle, a number of cycles)"):format(what),
     given.distance)
 end
 

@@ -3,7 +3,9 @@
 local check = require "archard.lib.check"
 local check_names = require "archard.study.names"
 local data = require "archard.fit.data"
+local measure = require "archard.measure"
 local merged = require "archard.lib.merged"
+local naming = require "archard.plot.naming"
 local problems = require "archard.fit.problem"
 local result = require "archard.fit.result"
 local run_counter = require "archard.lib.run_counter"
@@ -74,6 +76,19 @@ local function model_of(given)
   return type(given.base) == "table" and given.base.model or nil
 end
 
+-- Returns the measurements of `given` with the roles "cylinder" and "plate" for bodies that are given by the
+-- names of the user's model.
+local function with_roles(given)
+  local model, list = model_of(given), {}
+  local names = measure.bodies((type(model) == "table" or type(model) == "userdata") and model or nil)
+  for i, one in ipairs(given.data) do
+    local body = type(one) == "table" and type(one.body) == "string" and rawget(one, "body")
+    local name = body and not data.kinds.body.test(body) and naming.get(names, body)
+    list[i] = name and merged(one, { body = name == names.upper and "cylinder" or "plate" }) or one
+  end
+  return #list > 0 and list or given.data
+end
+
 -- Makes the problem of a fit or a design. each: estimated number of runs for each unknown, for the progress
 -- display.
 local function prepare(name, given, items, each)
@@ -107,7 +122,7 @@ local function run(given)
   given = check.definition(where, given, fields)
   need(where, given, { "unknown", "data" })
   local unknowns = unknown.read(where, given.unknown, model_of(given))
-  local items, told = data.read(where, given.data, motion_of(where, given, unknowns))
+  local items, told = data.read(where, with_roles(given), motion_of(where, given, unknowns))
   local problem = prepare(where, given, items, 8)
   local _ <close> = problem.runs.counter
   refuse_few(problem, told)

@@ -51,6 +51,11 @@ fails(function()
   fit{ base = base, unknown = { k = { start = 1e-8 } }, data = { { body = "plate", distance = 220, profile = profile(aside), error = 2e-5 } } }
 end, "expected depths, got heights: p:depth()", "a profile of heights instead of depths")
 local lists = profile(aside):depth()
+-- the body is called by the name that the user gave it
+local named = { jump = 50, stroke = 0.22, distance = 220, model = { mesh = base.model.mesh, lower = body.block{ name = "Flat_2" } } }
+g = fit{ base = named, unknown = { k = { start = 1e-8 }, alpha = { start = 0.5 } }, data = {
+  { body = "Flat_2", distance = 220, x = lists.x, h = lists.h, error = 2e-5 } } }
+near(g.value.k, 1.4e-8, 1e-2, "k from a profile of a body with a name")
 g = fit{ base = base, unknown = { k = { start = 1e-8 }, alpha = { start = 0.5 } }, data = {
   { body = "plate", distance = 220, x = lists.x, h = lists.h, error = 2e-5 } } }
 near(g.value.k, 1.4e-8, 1e-2, "lists x and h of a scar at x = 2.1 mm: fitted k")
