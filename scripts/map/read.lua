@@ -82,7 +82,8 @@ local function unit_of(file, of_file, given, name)
     return of_file
   end
   if not stated then
-    check.fail(where, ("field 'unit': expected the unit of %s (%s), as %s contains none, got nil"):format(
+    check.fail(where, ("field 'unit': expected the unit of %s (%s), as %s contains none, got nil; "
+      .. 'unit = { x = "mm", y = "um" } if x and y have another unit than the heights'):format(
       name == "x" and "x and y" or "heights", length.expected, file.path))
   end
   return stated
@@ -123,6 +124,15 @@ local function repaired(file, t, given)
   for k = 1, #y do if y[k] ~= y[k] then y[k] = given.fill end end
 end
 
+-- Warns if a unit that may be meant only for the heights makes a map very small.
+local function warn_small(file, found, unit)
+  local tiny = 0.05 -- [mm]
+  local size = math.max(found.x[#found.x] - found.x[1], found.z[#found.z] - found.z[1])
+  if type(unit) ~= "string" or size >= tiny then return end
+  warn(("map.read: %s: the map is only %.3g mm long, as unit = %q is the unit of x and y, too; unit = { x = \"mm\", y = %q } "
+    .. "gives x and y another unit"):format(file.path, size, unit, unit))
+end
+
 -- map.read(path, { unit=, step=, crop=, outliers=, fill=, level=, scar= }) reads a map from a file.
 local function read(path, given)
   given = check.definition(where, given or {}, fields)
@@ -136,6 +146,7 @@ local function read(path, given)
   local unit_x = unit_of(file, found.unit_x, given.unit, "x")
   scale(found.x, unit_x)
   scale(found.z, unit_x)
+  if not found.unit_x then warn_small(file, found, given.unit) end
   scale(found.y, unit)
   local t = map.derived({ unit = pressures[unit] and "MPa" or "mm", path = path,
     name = found.name or (pressures[unit] and "pressure" or "height") }, found.x, found.z, found.y)

@@ -5,6 +5,7 @@
 -- which would only slow it down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
+local warnings = require "archard.warnings"
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
 local abs, max, pack = math.abs, math.max, string.pack
 
@@ -306,7 +307,11 @@ fails(function() export.gsf({}, path "a.gsf") end, "export.gsf: expected a map, 
 
 -- --- wrong calls --------------------------------------------------------------------------------------------------
 
-fails(function() map.read(path "a.xyz") end, "field 'unit': expected the unit of heights", "a file without units")
+fails(function() map.read(path "a.xyz") end,
+  { "field 'unit': expected the unit of heights", 'unit = { x = "mm", y = "um" }' }, "a file without units")
+warnings.keep()
+map.read(path "a.xyz", { unit = "nm" })
+holds(warnings.take(), "as unit = \"nm\" is the unit of x and y, too", "a tiny map gives a warning")
 fails(function() map.read(path "a.xyz", { unit = "furlong" }) end,
   'field \'unit\': expected "mm", "um", "nm", "cm", "m" or "in", got "furlong"',
   "an unknown unit")
