@@ -22,6 +22,7 @@ function progress.new(definition)
     started = term.clock(),
     first = definition.done or 0, -- amount done before the start, excluded from the rate
     last = -math.huge,
+    past = {}, -- { seconds after the start, amount done since then }, at times that grow by a tenth or more
   }
   return setmetatable(self, progress)
 end
@@ -46,11 +47,31 @@ local function amount(value)
   return (math.type(value) == "integer" and "%d" or "%.4g"):format(value)
 end
 
+local function remember(past, seconds, done)
+  if done > 0 and seconds > 1.1 * (past[#past] or { 0 })[1] then past[#past + 1] = { seconds, done } end
+end
+
+-- Returns the estimated time left, in seconds. The amount done is assumed to grow as a power of time, through its
+-- values now and at about half the time: steps of wear runs become longer.
+function progress:left(done, seconds)
+  local most_power = 3
+  local so_far, power = done - self.first, 1
+  if so_far <= 0 then return math.huge end
+  for i = #self.past, 1, -1 do
+    local before = self.past[i]
+    if before[1] <= seconds / 2 then
+      power = math.max(1, math.min(most_power, math.log(so_far / before[2]) / math.log(seconds / before[1])))
+      break
+    end
+  end
+  return seconds * (((self.total - self.first) / so_far) ^ (1 / power) - 1)
+end
+
 -- Returns the finished share (0 to 1), and the texts before and after the bar.
 function progress:parts(done, note, now)
   local share = self.total > 0 and math.min(1, math.max(0, done / self.total)) or 1
   local rate = (done - self.first) / math.max(now - self.started, 1e-9)
-  local left = rate > 0 and (self.total - done) / rate or math.huge
+  local left = self:left(done, math.max(now - self.started, 1e-9))
   local head = ("%s%3.0f %%"):format(self.label ~= "" and self.label .. " " or "", 100 * share)
   local tail = ("%s/%s %s  %.3g %s/s  %s left"):format(amount(done), amount(self.total), self.unit, rate,
     self.unit, progress.duration(left))
@@ -71,6 +92,7 @@ function progress:update(done, note)
   local now = term.clock()
   if now - self.last < pause and done < self.total then return end
   self.last = now
+  remember(self.past, now - self.started, done - self.first)
   local width = term.size("stderr")
   io.stderr:write("\r", self:line(done, note, now, width), "\27[K")
   self.drawn = true
