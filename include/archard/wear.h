@@ -163,7 +163,8 @@ typedef struct arc_loading {
          "Stroke s_t of the plate, from one end to the other, twice the amplitude. In a "          \
          "reciprocating test give cycles = frequency times time; results do not depend on the "    \
          "frequency or on whether the motion is sinusoidal. For fretting give friction too: "      \
-         "wear{ friction=0.6, stroke=0.05 } has an amplitude of 25 um. If the stroke is twice "    \
+         "wear{ friction=0.6, stroke=0.05 } has an amplitude of 25 um. In 2-D, if the stroke is "  \
+         "twice "                                                                                  \
          "the radius, the whole plate slides under the contact once, in one direction: a cycle "   \
          "has one stroke instead of two. The strokes in the reference paper are 0.11, 0.22, 0.44 " \
          "mm (a, 2a, 4a; a is the half width of the contact) and 20 mm (2R).")                     \

@@ -94,8 +94,9 @@ end
 -- Lua function export.vti(object, path). It writes one file for a map, for a list of maps, or for the
 -- pressure of a three-dimensional contact. For a three-dimensional run it writes one file for each body.
 -- Returns the paths.
-function maps.vti(given, path)
+function maps.vti(given, path, options)
   local where = "export.vti"
+  check.definition(where, options or {}, {})
   path = checked_path(where, path, ".vti")
   local shown = check.shown(given)
   if shown == "a wear object" and given.model.geometry == "3-D" then

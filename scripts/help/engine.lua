@@ -473,8 +473,8 @@ return {
     text = "Stroke in the present block of loading: distance between the extreme positions of the plate. The "
       .. "column travel of the history has the stroke of each update." },
   { "wear.strokes", kind = "field",
-    text = "Number of strokes per cycle, r of Eq. (21). It is 2, or 1 if the stroke is twice the radius, because "
-      .. "the plate then slides in one direction only." },
+    text = "Number of strokes per cycle, r of Eq. (21). It is 2; in 2-D it is 1 if the stroke is twice the radius, "
+      .. "because the plate then slides in one direction only." },
   { "wear.k_cylinder", kind = "field", unit = "mm2/N",
     text = "Wear coefficient of the cylinder, alpha k, in the last update." },
   { "wear.k_plate", kind = "field", unit = "mm2/N",

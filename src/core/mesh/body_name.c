@@ -31,6 +31,7 @@ arc_status arc_body_check_name(const arc_body_def *b, const char *path, arc_erro
   return arc_fail(error, ARC_ARGUMENT,
                   "field '%sname': expected a name other than a kind of body, a field of mesh, or "
                   "one of 'upper', "
-                  "'lower', 'plate', 'total', 'both', 'all', got \"%s\"",
+                  "'lower', 'plate', 'total', 'both', 'all', got \"%s\"; bodies of different "
+                  "kinds are called by their kind without a name",
                   path, b->name);
 }

@@ -1,4 +1,5 @@
 /* Class wear: the printed summary of a run. */
+#include "archard/space.h"
 #include "lua/engine/pair_text.h"
 #include "lua/engine/peak.h"
 #include "lua/wear/wear_class.h"
@@ -147,6 +148,26 @@ static const char *show_increments(const arc_wear *wear, char *text, size_t size
   return text;
 }
 
+/* Writes the sizes and numbers of the cells of a 3-D run, or the sizes of the elements at the
+ * surface. */
+static void show_mesh(const arc_wear *wear, char *text, size_t size) {
+  const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
+  const double *x, *z;
+  if (!arc_model_has_maps(model)) {
+    snprintf(text, size, "elements %.6g x %.6g mm", model->mesh.size, model->mesh.height);
+    return;
+  }
+  const int n = arc_space_given_sites(arc_wear_shape(wear), ARC_UPPER, &x, &z);
+  int columns = 1;
+  while (columns < n && x[columns] == x[0]) columns++;
+  const int rows = n / columns;
+  const double along = rows > 1 ? x[columns] - x[0] : 0, across = columns > 1 ? z[1] - z[0] : 0;
+  if (rows > 1)
+    snprintf(text, size, "%d x %d cells of %.4g x %.4g mm", rows, columns, along, across);
+  else
+    snprintf(text, size, "a groove, %d cells of %.4g mm", columns, across);
+}
+
 /* Adds lines that describe the bodies: shapes, materials, layers and mesh. */
 static void add_bodies(luaL_Buffer *text, const arc_wear *wear) {
   const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
@@ -158,12 +179,11 @@ static void add_bodies(luaL_Buffer *text, const arc_wear *wear) {
   const int shapes = arc_model_has_maps(model);
   snprintf(line, sizeof line, "  bodies    %s, %s", pair,
            shapes ? "3-D, half-spaces" : model_show_space(model, space, sizeof space));
-  snprintf(mesh, sizeof mesh, "elements %.6g x %.6g mm", model->mesh.size, model->mesh.height);
+  show_mesh(wear, mesh, sizeof mesh);
   luaL_addstring(text, line);
-  if (!shapes)
-    luaL_addstring(text, strlen(line) + strlen(mesh) + 2 > columns ? ",\n            " : ", ");
-  snprintf(line, sizeof line, "%s\n", shapes ? "" : mesh);
-  luaL_addstring(text, line);
+  luaL_addstring(text, strlen(line) + strlen(mesh) + 2 > columns ? ",\n            " : ", ");
+  luaL_addstring(text, mesh);
+  luaL_addchar(text, '\n');
   pair_add_materials(text, model);
   pair_add_all_layers(text, model, depth);
 }
