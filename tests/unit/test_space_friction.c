@@ -27,6 +27,22 @@ static double direct(lag_parity parity, const double *p, int rows, int columns, 
   return sum;
 }
 
+/* Checks that a convolution computed in parts, with a workspace of its own for each part, has the
+ * bits of the convolution u. */
+static void check_parts(const convolution *c, convolution_work *shared, const double *p,
+                        const double *u, int cells) {
+  double *again = calloc((size_t)cells, sizeof *again);
+  assert_non_null(again);
+  for (int stage = 0; stage < 3; stage++)
+    for (int part = arc_convolution_parts(c, stage) - 1; part >= 0; part--) {
+      convolution_work *own = arc_convolution_work(c);
+      arc_convolution_part(c, shared, own, stage, part, p, again);
+      arc_convolution_work_free(&own);
+    }
+  assert_memory_equal(again, u, (size_t)cells * sizeof *u);
+  free(again);
+}
+
 /* Tests convolutions with kernels of all parities against direct summation, and a pair of fields
  * against separate fields. */
 static void test_parity(void **state) {
@@ -44,6 +60,7 @@ static void test_parity(void **state) {
     for (int i = 0; i < rows; i++)
       for (int j = 0; j < columns; j++)
         check_near(u[0][i * columns + j], direct(parity, p[0], rows, columns, i, j), 1e-12);
+    check_parts(c[k], work, p[0], u[0], cells);
     arc_convolution_work_free(&work);
   }
   const convolution *const three[3] = {c[EVEN_LAGS], c[ODD_BOTH], c[EVEN_LAGS]};

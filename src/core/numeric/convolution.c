@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { block = 8 }; /* number of columns that are transformed together */
+enum { block = 8 }; /* number of rows, or of columns, that are transformed together */
 
 struct convolution {
   int rows, columns, box_rows, box_columns;
@@ -21,10 +21,11 @@ struct convolution {
   int tall;   /* distance between the starts of two columns of a block, in complex numbers; longer
                  than a column, because few columns whose starts are a large power of two apart
                  fit into the processor's cache */
-  double *symbol;           /* [half][box_rows] scaled symbol, column by column */
-  int imaginary;            /* true if the symbol is multiplied by the imaginary unit */
-  fftw_plan into, out_of;   /* plans for rows: forward and backward transform */
-  fftw_plan down[2], up[2]; /* plans for the columns of a full block, and of the last block */
+  double *symbol; /* [half][box_rows] scaled symbol, column by column */
+  int imaginary;  /* true if the symbol is multiplied by the imaginary unit */
+  /* Plans for a full block and for the last block: forward and backward transforms of rows, and of
+   * columns. */
+  fftw_plan into[2], out_of[2], down[2], up[2];
 };
 
 /* Arrays of a workspace. Each transform reads one array and writes another, because FFTW would copy
@@ -46,8 +47,9 @@ int arc_transform_length(int n) {
   }
 }
 
-static int last_block(const convolution *c) {
-  return c->half % block;
+/* Returns the number of rows (or columns), out of `all`, in the block that begins with `first`. */
+static int width_of(int all, int first) {
+  return all - first < block ? all - first : block;
 }
 
 static size_t spectrum_size(const convolution *c) {
@@ -88,23 +90,28 @@ static fftw_plan plan_columns(const convolution *c, int width, int sign, fftw_co
                             FFTW_ESTIMATE);
 }
 
+/* Creates the plans of blocks of rows and columns, plan k of each kind. Returns 0 on failure. */
+static int plan_blocks(convolution *c, convolution_work *w, int k, int rows, int columns) {
+  const int n = c->box_columns;
+  if (rows > 0) {
+    c->into[k] = fftw_plan_many_dft_r2c(1, &n, rows, w->values, NULL, 1, c->padded, w->spectrum,
+                                        NULL, 1, c->stride, FFTW_ESTIMATE);
+    c->out_of[k] = fftw_plan_many_dft_c2r(1, &n, rows, w->spectrum, NULL, 1, c->stride, w->values,
+                                          NULL, 1, c->padded, FFTW_ESTIMATE);
+  }
+  if (columns > 0) {
+    c->down[k] = plan_columns(c, columns, FFTW_FORWARD, w->columns, w->waves);
+    c->up[k] = plan_columns(c, columns, FFTW_BACKWARD, w->waves, w->columns);
+  }
+  return (rows == 0 || (c->into[k] && c->out_of[k])) && (columns == 0 || (c->down[k] && c->up[k]));
+}
+
 /* Creates the plans of a convolution. Returns 0 on failure. A lock of FFTW protects the memory that
  * all plans of a process share. */
 static int plan(convolution *c, convolution_work *w) {
-  const int n = c->box_columns, widths[2] = {block, last_block(c)};
   fftw_make_planner_thread_safe();
-  c->into = fftw_plan_many_dft_r2c(1, &n, c->rows, w->values, NULL, 1, c->padded, w->spectrum, NULL,
-                                   1, c->stride, FFTW_ESTIMATE);
-  c->out_of = fftw_plan_many_dft_c2r(1, &n, c->rows, w->spectrum, NULL, 1, c->stride, w->values,
-                                     NULL, 1, c->padded, FFTW_ESTIMATE);
-  int complete = c->into && c->out_of;
-  for (int k = 0; k < 2 && complete; k++) {
-    if (widths[k] == 0) continue;
-    c->down[k] = plan_columns(c, widths[k], FFTW_FORWARD, w->columns, w->waves);
-    c->up[k] = plan_columns(c, widths[k], FFTW_BACKWARD, w->waves, w->columns);
-    complete = c->down[k] && c->up[k];
-  }
-  return complete;
+  return plan_blocks(c, w, 0, c->rows < block ? 0 : block, c->half < block ? 0 : block) &&
+         plan_blocks(c, w, 1, c->rows % block, c->half % block);
 }
 
 static void destroy_plan(fftw_plan p) {
@@ -115,9 +122,9 @@ void arc_convolution_destroy(convolution **made) {
   convolution *c = *made;
   *made = NULL;
   if (!c) return;
-  destroy_plan(c->into);
-  destroy_plan(c->out_of);
   for (int k = 0; k < 2; k++) {
+    destroy_plan(c->into[k]);
+    destroy_plan(c->out_of[k]);
     destroy_plan(c->down[k]);
     destroy_plan(c->up[k]);
   }
@@ -250,18 +257,31 @@ arc_status arc_convolution_create(int rows, int columns, lag_parity parity, lag_
 
 /* --- application ------------------------------------------------------------------------------ */
 
-static void load_rows(const convolution *c, double *rows, const double *p, int distance) {
+/* load_block transforms the block of rows that begins with row `first` of p to the spectrum.
+ * store_block transforms these rows of the spectrum back to u. */
+static void load_block(const convolution *c, const convolution_work *w, int first, const double *p,
+                       int distance) {
   const size_t n = (size_t)c->columns, stride = (size_t)c->padded;
-  for (int i = 0; i < c->rows; i++) {
-    memcpy(rows + (size_t)i * stride, p + (size_t)i * (size_t)distance, n * sizeof *p);
-    memset(rows + (size_t)i * stride + n, 0, (stride - n) * sizeof *p);
+  const int width = width_of(c->rows, first);
+  double *values = w->values + (size_t)first * stride;
+  for (int i = 0; i < width; i++) {
+    double *row = values + (size_t)i * stride;
+    memcpy(row, p + (size_t)(first + i) * (size_t)distance, n * sizeof *p);
+    memset(row + n, 0, (stride - n) * sizeof *p);
   }
+  fftw_execute_dft_r2c(c->into[width == block ? 0 : 1], values,
+                       w->spectrum + (size_t)first * (size_t)c->stride);
 }
 
-static void store_rows(const convolution *c, const double *rows, double *u, int distance) {
+static void store_block(const convolution *c, const convolution_work *w, int first, double *u,
+                        int distance) {
   const size_t n = (size_t)c->columns, stride = (size_t)c->padded;
-  for (int i = 0; i < c->rows; i++)
-    memcpy(u + (size_t)i * (size_t)distance, rows + (size_t)i * stride, n * sizeof *u);
+  const int width = width_of(c->rows, first);
+  double *values = w->values + (size_t)first * stride;
+  fftw_execute_dft_c2r(c->out_of[width == block ? 0 : 1],
+                       w->spectrum + (size_t)first * (size_t)c->stride, values);
+  for (int i = 0; i < width; i++)
+    memcpy(u + (size_t)(first + i) * (size_t)distance, values + (size_t)i * stride, n * sizeof *u);
 }
 
 ARC_WIDE static void multiply(size_t count, const double *symbol, double *restrict pairs) {
@@ -290,23 +310,25 @@ ARC_WIDE static void multiply_pair(size_t count, const double *const symbol[3],
 
 /* lower_block transforms the columns `first` to first + width - 1 of the spectrum to w->waves.
  * raise_block transforms w->waves back to these columns. */
-static void lower_block(const convolution *c, convolution_work *w, int first, int width) {
+static void lower_block(const convolution *c, fftw_complex *spectrum, convolution_work *w,
+                        int first, int width) {
   const size_t tall = (size_t)c->tall, rows = (size_t)c->rows, n = (size_t)width;
   for (size_t i = 0; i < rows; i++)
     for (size_t j = 0; j < n; j++)
-      memcpy(w->columns + j * tall + i, w->spectrum + i * (size_t)c->stride + (size_t)first + j,
+      memcpy(w->columns + j * tall + i, spectrum + i * (size_t)c->stride + (size_t)first + j,
              sizeof *w->columns);
   for (size_t j = 0; j < n; j++)
     memset(w->columns + j * tall + rows, 0, ((size_t)c->box_rows - rows) * sizeof *w->columns);
   fftw_execute_dft(c->down[width == block ? 0 : 1], w->columns, w->waves);
 }
 
-static void raise_block(const convolution *c, convolution_work *w, int first, int width) {
+static void raise_block(const convolution *c, fftw_complex *spectrum, convolution_work *w,
+                        int first, int width) {
   const size_t tall = (size_t)c->tall, n = (size_t)width;
   fftw_execute_dft(c->up[width == block ? 0 : 1], w->waves, w->columns);
   for (size_t i = 0; i < (size_t)c->rows; i++)
     for (size_t j = 0; j < n; j++)
-      memcpy(w->spectrum + i * (size_t)c->stride + (size_t)first + j, w->columns + j * tall + i,
+      memcpy(spectrum + i * (size_t)c->stride + (size_t)first + j, w->columns + j * tall + i,
              sizeof *w->columns);
 }
 
@@ -314,56 +336,60 @@ static const double *symbol_at(const convolution *c, int column) {
   return c->symbol + (size_t)column * (size_t)c->box_rows;
 }
 
-static int block_width(const convolution *c, int first) {
-  return c->half - first < block ? c->half - first : block;
-}
-
-static void load_spectrum(const convolution *c, convolution_work *w, const double *p,
-                          int distance) {
-  load_rows(c, w->values, p, distance);
-  fftw_execute_dft_r2c(c->into, w->values, w->spectrum);
-}
-
-static void store_spectrum(const convolution *c, convolution_work *w, double *u, int distance) {
-  fftw_execute_dft_c2r(c->out_of, w->spectrum, w->values);
-  store_rows(c, w->values, u, distance);
-}
-
-void arc_convolution_apply(const convolution *c, convolution_work *w, const double *p, double *u) {
-  arc_convolution_apply_strided(c, w, c->columns, p, u);
-}
-
-void arc_convolution_apply_strided(const convolution *c, convolution_work *w, int stride,
-                                   const double *p, double *u) {
-  load_spectrum(c, w, p, stride);
-  for (int first = 0; first < c->half; first += block) {
-    const int width = block_width(c, first);
-    lower_block(c, w, first, width);
-    for (int j = 0; j < width; j++) {
-      double *wave = (double *)w->waves[j * c->tall];
-      (c->imaginary ? turn : multiply)((size_t)c->box_rows, symbol_at(c, first + j), wave);
-    }
-    raise_block(c, w, first, width);
+/* Multiplies the block of columns of the spectrum that begins with column `first` by the symbol. */
+static void apply_block(const convolution *c, fftw_complex *spectrum, convolution_work *w,
+                        int first) {
+  const int width = width_of(c->half, first);
+  lower_block(c, spectrum, w, first, width);
+  for (int j = 0; j < width; j++) {
+    double *wave = (double *)w->waves[j * c->tall];
+    (c->imaginary ? turn : multiply)((size_t)c->box_rows, symbol_at(c, first + j), wave);
   }
-  store_spectrum(c, w, u, stride);
+  raise_block(c, spectrum, w, first, width);
+}
+
+int arc_convolution_parts(const convolution *c, int stage) {
+  return ((stage == 1 ? c->half : c->rows) + block - 1) / block;
+}
+
+void arc_convolution_part(const convolution *c, convolution_work *shared, convolution_work *own,
+                          int stage, int part, const double *p, double *u) {
+  const int first = part * block;
+  if (stage == 0) load_block(c, shared, first, p, c->columns);
+  if (stage == 1) apply_block(c, shared->spectrum, own, first);
+  if (stage == 2) store_block(c, shared, first, u, c->columns);
+}
+
+void arc_convolution_apply(const convolution *c, convolution_work *work, const double *p,
+                           double *u) {
+  arc_convolution_apply_strided(c, work, c->columns, p, u);
+}
+
+void arc_convolution_apply_strided(const convolution *c, convolution_work *work, int stride,
+                                   const double *p, double *u) {
+  for (int i = 0; i < c->rows; i += block) load_block(c, work, i, p, stride);
+  for (int i = 0; i < c->half; i += block) apply_block(c, work->spectrum, work, i);
+  for (int i = 0; i < c->rows; i += block) store_block(c, work, i, u, stride);
 }
 
 void arc_convolution_apply_pair(const convolution *const k[3], convolution_work *const work[2],
                                 int stride, const double *const p[2], double *const u[2]) {
   const convolution *c = k[0];
-  for (int i = 0; i < 2; i++) load_spectrum(c, work[i], p[i], stride);
+  for (int f = 0; f < 2; f++)
+    for (int i = 0; i < c->rows; i += block) load_block(c, work[f], i, p[f], stride);
   for (int first = 0; first < c->half; first += block) {
-    const int width = block_width(c, first);
-    for (int i = 0; i < 2; i++) lower_block(c, work[i], first, width);
+    const int width = width_of(c->half, first);
+    for (int f = 0; f < 2; f++) lower_block(c, work[f]->spectrum, work[f], first, width);
     for (int j = 0; j < width; j++) {
       const double *const symbol[3] = {symbol_at(k[0], first + j), symbol_at(k[1], first + j),
                                        symbol_at(k[2], first + j)};
       multiply_pair((size_t)c->box_rows, symbol, (double *)work[0]->waves[j * c->tall],
                     (double *)work[1]->waves[j * c->tall]);
     }
-    for (int i = 0; i < 2; i++) raise_block(c, work[i], first, width);
+    for (int f = 0; f < 2; f++) raise_block(c, work[f]->spectrum, work[f], first, width);
   }
-  for (int i = 0; i < 2; i++) store_spectrum(c, work[i], u[i], stride);
+  for (int f = 0; f < 2; f++)
+    for (int i = 0; i < c->rows; i += block) store_block(c, work[f], i, u[f], stride);
 }
 
 /* --- whole boxes ------------------------------------------------------------------------------ */

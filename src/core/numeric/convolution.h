@@ -52,6 +52,15 @@ void arc_convolution_work_free(convolution_work **work);
 void arc_convolution_apply(const convolution *c, convolution_work *work, const double *p,
                            double *u);
 
+/* Computes a part of a convolution u of the kernel with p, so that several threads can share it.
+ * The convolution has the stages 0, 1 and 2, each with arc_convolution_parts(c, stage) parts. All
+ * parts of a stage must be complete before the next stage begins. The stages share the workspace
+ * `shared`; each thread also has its workspace `own`, which may be `shared` for one of them. The
+ * result has the bits of arc_convolution_apply. */
+int arc_convolution_parts(const convolution *c, int stage);
+void arc_convolution_part(const convolution *c, convolution_work *shared, convolution_work *own,
+                          int stage, int part, const double *p, double *u);
+
 /* Computes the convolution of fields whose consecutive rows begin `stride` numbers apart. */
 void arc_convolution_apply_strided(const convolution *c, convolution_work *work, int stride,
                                    const double *p, double *u);

@@ -88,6 +88,10 @@ static void add_mirror(double *sum, int rows, int columns) {
 
 enum { chunk = 8 /* rows per task */ };
 
+static int chunks(int rows) {
+  return (rows + chunk - 1) / chunk;
+}
+
 /* Computes `chunk` rows of the sums of both bodies. The rows of the upper body are numbered first.
  */
 static void sum_rows(void *context, int task, int worker) {
@@ -105,7 +109,7 @@ void arc_stroke_gather(stroke *s, const double *p, int both) {
   const int rows = s->box.nx + s->h->rows;
   s->from = p;
   s->both = both;
-  arc_team_run(s->count > 1 ? s->h->team : NULL, (rows + chunk - 1) / chunk, sum_rows, s);
+  arc_team_run(s->count > 1 ? s->h->team : NULL, chunks(rows), sum_rows, s);
   if (s->mirrored && (both || s->c[ARC_UPPER] > 0)) add_mirror(s->upper, s->box.nx, s->box.nz);
   if (s->mirrored && (both || s->c[ARC_LOWER] > 0)) add_mirror(s->lower, s->h->rows, s->box.nz);
 }
@@ -117,6 +121,32 @@ static void convolve(void *context, int position, int worker) {
   const size_t o = (size_t)position * box_cells(s);
   arc_convolution_apply(s->kernel, s->h->work[s->count > 1 ? worker : s->worker], s->from + o,
                         s->to + o);
+}
+
+/* A stage of the convolution of one position. */
+typedef struct stage {
+  const stroke *s;
+  int position, number;
+} stage;
+
+static void convolve_part(void *context, int part, int worker) {
+  const stage *a = context;
+  const stroke *s = a->s;
+  const size_t o = (size_t)a->position * box_cells(s);
+  arc_convolution_part(s->kernel, s->h->work[0], s->h->work[worker], a->number, part, s->from + o,
+                       s->to + o);
+}
+
+/* Computes the convolutions of all positions. The threads share the positions, and each of the last
+ * positions if their number is not a multiple of the number of threads. */
+static void convolve_all(stroke *s, work_team *team) {
+  const int shared = team ? s->count % arc_team_workers(team) : 0;
+  arc_team_run(team, s->count - shared, convolve, s);
+  for (int j = s->count - shared; j < s->count; j++)
+    for (int k = 0; k < 3; k++) {
+      stage a = {s, j, k};
+      arc_team_run(team, arc_convolution_parts(s->kernel, k), convolve_part, &a);
+    }
 }
 
 /* Adds the wear at one row of the box to `to`: at each site c times factor times sum, multiplied by
@@ -138,12 +168,14 @@ static void wear_lower(const stroke *s, int row, double share, double *to) {
     wear_row(s, ARC_LOWER, row, share, s->lower + (size_t)row * (size_t)s->box.nz, to);
 }
 
-static void add_wear(void *context, int position, int worker) {
+/* Adds the wear at `chunk` rows of a position. */
+static void add_wear(void *context, int task, int worker) {
   const stroke *s = context;
+  const int each = chunks(s->box.nx), position = task / each, first = task % each * chunk;
   const stroke_place *p = &s->place[position];
   const int groove = s->h->def.groove > 0;
   (void)worker;
-  for (int i = 0; i < s->box.nx; i++) {
+  for (int i = first; i < first + chunk && i < s->box.nx; i++) {
     const size_t o = (size_t)i * (size_t)s->box.nz;
     double *to = s->to + (size_t)position * box_cells(s) + o;
     wear_row(s, ARC_UPPER, s->box.x + i, 1, s->upper + o, to);
@@ -160,10 +192,10 @@ arc_status arc_stroke_apply(void *context, const double *p, double *u) {
   if (s->worker == 0 && callbacks_stop(s->callbacks)) return ARC_STOPPED;
   s->from = p;
   s->to = u;
-  arc_team_run(team, s->count, convolve, s);
+  convolve_all(s, team);
   if (s->c[ARC_UPPER] == 0 && s->c[ARC_LOWER] == 0) return ARC_OK;
   arc_stroke_gather(s, p, 0);
-  arc_team_run(team, s->count, add_wear, s);
+  arc_team_run(team, s->count * chunks(s->box.nx), add_wear, s);
   return ARC_OK;
 }
 
