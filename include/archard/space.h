@@ -298,9 +298,10 @@ arc_status arc_halfspace_regrow(const arc_halfspace *from, const double *const d
 
 /* Sets size_x, size_z, nx, nz and track for a run. The width of a cell is about the smaller half
  * width of the unworn contact divided by `fineness`, and `increment` [mm] is a whole number of
- * cells (0: no such condition). The size of the window is estimated from the final wear volume
- * [mm3], and the track from the stroke [mm]. A contact that reaches the edge of the window later
- * causes ARC_ZONE. Nothing is set if the radii do not form a point contact. */
+ * cells (0, or less than half of this width: no such condition). The size of the window is
+ * estimated from the final wear volume [mm3], and the track from the stroke [mm]. A contact that
+ * reaches the edge of the window later causes ARC_ZONE. Nothing is set if the radii do not form a
+ * point contact. */
 void arc_halfspace_fit(arc_halfspace_def *def, double load, double volume, double stroke,
                        double increment, double fineness);
 

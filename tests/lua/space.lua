@@ -1,6 +1,7 @@
 -- Tests contact and wear in three dimensions: balls and rollers on flats as half-spaces, from the definition
 -- to the file.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
+local warnings = require "archard.warnings"
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
 
 local m = model{ geometry = "3-D" }
@@ -151,6 +152,36 @@ local longer = wear{ worn = w, load = 10, stroke = 0.5, distance = 10 }
 longer:run()
 near(longer.volume.total, 1e-6, 1e-9, "a worn pair continues with a longer stroke")
 
+-- Tests strokes that are an odd number of cells, or much shorter than a cell: both bodies exchanged.
+for _, stroke in ipairs{ 0.15, 0.01, 1e-5 } do
+  local ball, block = body.ball{ radius = 3.7, radius_z = 9.1, E = 70e3, nu = 0.33 }, body.block{ E = 210e3, nu = 0.28 }
+  local function of(upper, lower, alpha)
+    warnings.keep()
+    local w = wear{ model = model{ geometry = "3-D", upper = upper, lower = lower }, load = 6, stroke = stroke, alpha = alpha, k = 2e-8, distance = 20 }
+    w:run{ progress = false }
+    warnings.take()
+    return w
+  end
+  local one, two = of(ball, block, 0.3), of(block, ball, 0.7)
+  local close = stroke == 1e-5 and 1e-5 or 1e-12
+  near(two.depth.lower, one.depth.upper, close, ("stroke %g mm, bodies exchanged: depth of the ball"):format(stroke))
+  near(two.depth.upper, one.depth.lower, close, ("stroke %g mm, bodies exchanged: depth of the block"):format(stroke))
+  ok(#one:map("lower").x < 80, "the cells do not depend on a short stroke: " .. #one:map("lower").x)
+end
+
+-- Tests warnings of limits that wear crosses.
+do
+  warnings.keep()
+  wear{ model = m, load = 10, stroke = 0.6, alpha = 0.3, k = 1e-6, distance = 700, procedure = "NSP" }:run{ progress = false }
+  ok((warnings.take() or ""):find("below 2 they are 15 % and more", 1, true), "a groove that has become short gives a warning")
+  warnings.keep()
+  wear{ model = { geometry = "3-D", upper = body.ball{ radius = 2 } }, track = 40, load = 10, k = 1e-6, alpha = 1, distance = 3000,
+    tolerance = 1e-2 }:run{ progress = false }
+  ok((warnings.take() or ""):find("half-spaces are accurate up to 0.2", 1, true), "a contact that has become wide gives a warning")
+end
+local tail = { plate = function(x, z) return 1e-3 * math.exp(-(x * x + z * z) / 0.001) end }
+ok(contact{ model = m, load = 10, worn = tail }.p_max > 0, "depths that vanish towards the border")
+
 local groove = wear{ model = m, load = 10, stroke = 1, alpha = 0.5, distance = 100, procedure = "NSP" }
 groove:run()
 near(groove.volume.block, 0.5 * 1e-8 * 10 * 100, 1e-9, "volume of the flat with a groove")
@@ -229,7 +260,6 @@ fails(function() model{ upper = body.ball{} } end, "3-D", "a ball in a plane mod
 fails(function() return w.mesh end, "no meshes", "a run in 3-D has no mesh")
 fails(function() body.cup{ clearance = 0.1 } end, "joint{", "a cup as a body of a model")
 
-local warnings = require "archard.warnings"
 warnings.keep()
 contact{ model = { geometry = "3-D", upper = body.ball{ radius = 0.5 }, lower = body.block{} }, load = 500 }
 ok((warnings.take() or ""):find("0.24 of the radius 0.5 mm: half-spaces are accurate up to 0.2", 1, true),

@@ -88,9 +88,10 @@ typedef struct arc_kind {
   /* Optional: warns about the definition and, if `unworn` is true, about sites that are too
    * coarse. */
   void (*warn)(const arc_wear *w, int unworn, const arc_callbacks *callbacks);
-  /* Optional: warns and returns 1 if the sites were too coarse for the last update; otherwise
-   * returns 0. */
-  int (*warn_coarse)(const arc_wear *w, const arc_callbacks *callbacks);
+  /* Optional: warns of limits of the kind that the last update has crossed, for example if sites
+   * are too coarse. `given` is the sum of the numbers (powers of 2) of the warnings that the run
+   * has given; each is given once. Returns the new sum. */
+  int (*warn_late)(const arc_wear *w, int given, const arc_callbacks *callbacks);
 
   /* --- surfaces ------------------------------------------------------------------------------- */
 

@@ -190,7 +190,8 @@ static int warn_of_layers(const arc_wear *w, double size, const arc_callbacks *c
   return 1;
 }
 
-static int warn_coarse(const arc_wear *w, const arc_callbacks *callbacks) {
+static int warn_late(const arc_wear *w, int given, const arc_callbacks *callbacks) {
+  if (given) return given;
   const shape_side *side = &w->shape->side[ARC_CYLINDER];
   const double size = arc_shape_width(side, side->n / 2);
   return warn_of_rim(w, size, callbacks) || warn_of_layers(w, size, callbacks);
@@ -247,7 +248,7 @@ const arc_kind arc_plane_kind = {
     .bytes = bytes,
     .check_reach = check_reach,
     .warn = warn,
-    .warn_coarse = warn_coarse,
+    .warn_late = warn_late,
     .surfaces = start_shape,
     .unworn = arc_meshed_create,
     .copy = arc_meshed_copy,

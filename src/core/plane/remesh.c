@@ -233,7 +233,7 @@ static arc_status go_onto(const arc_wear *w, const arc_model_def *def,
   arc_model_release(&model);
   if (status != ARC_OK) return status;
   (*result)->warned = w->warned;
-  (*result)->coarse = w->coarse;
+  (*result)->late = w->late;
   return status;
 }
 

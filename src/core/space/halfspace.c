@@ -344,7 +344,7 @@ void arc_halfspace_fit(arc_halfspace_def *d, double load, double volume, double 
   const double rx = 1 / curvature[d->turned != 0], rz = 1 / curvature[d->turned == 0];
   if (arc_space_estimate(d, rx, rz, load, &hertz) != ARC_OK) return;
   const double usual = fmin(hertz.half_width, hertz.half_width_z) / fineness;
-  d->size_x = increment > 0 ? increment / fmax(1, round(increment / usual)) : usual;
+  d->size_x = increment > usual / 2 ? increment / fmax(1, round(increment / usual)) : usual;
   d->size_z = d->size_x;
   const double margin = 1.15;
   d->nx = odd_above(2 * margin * reach(hertz.half_width, rx, rz, volume) / d->size_x);

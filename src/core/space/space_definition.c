@@ -162,7 +162,7 @@ int arc_space_increments(const arc_wear_def *def, const arc_model_def *model) {
   const int of_slip = are_unlike(model) ? 4 : 2;
   if (def->tangential > 0) return of_slip;
   const int rubs = arc_wear_has_friction(def), fewest = rubs ? of_slip : 4;
-  const double half = round(def->stroke / arc_space_cell(model, def->load));
+  const double half = 2 * round(def->stroke / arc_space_cell(model, def->load) / 2);
   return 2 * (int)fmin(fmax(fewest / 2, half), most);
 }
 
@@ -208,7 +208,8 @@ arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *
   const double cell = arc_space_cell(model, def->load);
   const int plain = def->blocks == 0 && !rests(def, model) && !(def->tangential > 0) &&
                     !(arc_wear_has_friction(def) && def->stroke <= cell);
-  const double increment = plain ? def->stroke / (arc_space_increments(def, model) / 2) : 0;
+  const int half = arc_space_increments(def, model) / 2;
+  const double increment = plain ? def->stroke / (half % 2 == 0 ? half : 2 * half) : 0;
   arc_halfspace_def cells;
   arc_model_def fine = *model;
   if (arc_wear_has_friction(def)) fine.mesh.size = arc_space_slip_cell(def, model);

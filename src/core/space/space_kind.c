@@ -46,20 +46,34 @@ static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) 
   if (unworn) arc_space_warn_slip(&w->def, model, d->size_x, callbacks);
 }
 
-/* Warns if the stroke is shorter than three contact widths, because a groove is computed without
- * its ends. */
-static int warn_short(const arc_wear *w, const arc_callbacks *callbacks) {
-  static const double enough = 3;
+enum { SHORT = 1, TOO_SHORT = 2, STEEP = 4 }; /* warnings of warn_late */
+
+/* Warns if the stroke is shorter than three contact widths, and again if it is shorter than two,
+ * because a groove is computed without its ends. */
+static int warn_short(const arc_wear *w, int given, const arc_callbacks *callbacks) {
+  static const double enough = 3, least = 2;
   const arc_halfspace_def *d = arc_halfspace_definition(space_shape_of(w->shape)->grid->h);
   const arc_wear_record *last = arc_wear_last(w);
   const double along = space_along(space_shape_of(w->shape), last->half_width, last->half_width_z);
   const double widths = d->groove / (2 * along);
-  if (d->groove == 0 || w->def.track > 0 || d->periodic || widths >= enough) return 0;
-  arc_warn(callbacks,
-           "procedure \"NSP\" treats the track as an endless groove, and the stroke is only %.2g "
-           "contact widths now: below %g widths the errors of depths exceed 3 %%; use \"SP\"",
-           widths, enough);
-  return 1;
+  if (d->groove == 0 || w->def.track > 0 || d->periodic || widths >= enough) return given;
+  const int now = widths < least ? SHORT | TOO_SHORT : SHORT;
+  if ((given | now) != given)
+    arc_warn(callbacks,
+             "procedure \"NSP\" treats the track as an endless groove, and the stroke is only %.2g "
+             "contact widths now: below %g widths the errors of depths exceed 3 %%, below %g they "
+             "are 15 %% and more; use \"SP\"",
+             widths, enough, least);
+  return given | now;
+}
+
+/* Warns of limits of the half-spaces that wear has crossed. */
+static int warn_late(const arc_wear *w, int given, const arc_callbacks *callbacks) {
+  const arc_model_def *model = arc_model_definition(w->model);
+  given = warn_short(w, given, callbacks);
+  if (given & STEEP || arc_space_warn_steep(model, w->history[0].half_width, NULL)) return given;
+  return arc_space_warn_steep(model, arc_wear_last(w)->half_width, callbacks) ? given | STEEP
+                                                                              : given;
 }
 
 /* --- surfaces --------------------------------------------------------------------------------- */
@@ -259,7 +273,7 @@ const arc_kind arc_space_kind = {
     .bytes = bytes,
     .check_reach = check_reach,
     .warn = warn,
-    .warn_coarse = warn_short,
+    .warn_late = warn_late,
     .surfaces = arc_space_surfaces,
     .unworn = unworn,
     .copy = arc_space_copy,

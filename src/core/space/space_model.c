@@ -294,21 +294,29 @@ arc_status arc_space_extend_cells(const arc_model_def *def, int rows, int beyond
   return check_larger(def, before, cells, error);
 }
 
-void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, double half_width,
-                    const arc_callbacks *callbacks) {
+int arc_space_warn_steep(const arc_model_def *def, double half_width,
+                         const arc_callbacks *callbacks) {
   static const double small =
       0.2; /* ratio of half width to radius above which slopes are no longer small */
-  const double fewest = 4;          /* smallest number of cells in the half width */
-  static const double coarse = 1.5; /* largest ratio of the cell width to the step of a map */
   double x, z;
-  if (def->periodic) return;
+  if (def->periodic) return 0;
   find_curvatures(def, &x, &z);
   const double least = 1 / x;
-  if (half_width > small * least)
+  if (!(half_width > small * least)) return 0;
+  if (callbacks)
     arc_warn(callbacks,
              "the contact's half width %.3g mm is %.2g of the radius %.3g mm: half-spaces are "
              "accurate up to %g of it, and beyond that pressures and depths are estimates",
              half_width, half_width / least, least, small);
+  return 1;
+}
+
+void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, double half_width,
+                    const arc_callbacks *callbacks) {
+  const double fewest = 4;          /* smallest number of cells in the half width */
+  static const double coarse = 1.5; /* largest ratio of the cell width to the step of a map */
+  if (def->periodic) return;
+  arc_space_warn_steep(def, half_width, callbacks);
   if (half_width < fewest * cells->size_x)
     arc_warn(callbacks,
              "the contact's half width %.3g mm has fewer than %g cells of %.3g mm: use mesh.size = "

@@ -44,19 +44,22 @@ static int is_border(const space_shape *s, int b, int i) {
 arc_status arc_space_given_depths(arc_shape *shape, arc_body body, const double *depth,
                                   arc_error *error) {
   space_shape *s = (space_shape *)(void *)shape;
+  static const double nothing = 1e-12; /* share of the largest depth that is 0 at the border */
   const int n = space_sites(s, (int)body);
+  double most = 0;
+  for (int i = 0; i < n; i++) most = fmax(most, depth[i]);
   for (int i = 0; i < n; i++) {
     if (!(depth[i] >= 0) || !isfinite(depth[i]))
       return arc_fail(error, ARC_ARGUMENT,
                       "field 'worn': expected depths >= 0 mm, got %g at x = %g, z = %g mm",
                       depth[i], s->grid->x[body][i], s->grid->z[body][i]);
-    if (depth[i] > 0 && is_border(s, (int)body, i))
+    if (depth[i] > nothing * most && is_border(s, (int)body, i))
       return arc_fail(
           error, ARC_ZONE,
           "field 'worn': expected a depth that is 0 at the border of the window, got %g "
           "mm at x = %g, z = %g mm",
           depth[i], s->grid->x[body][i], s->grid->z[body][i]);
   }
-  for (int i = 0; i < n; i++) s->depth[body][i] = depth[i];
+  for (int i = 0; i < n; i++) s->depth[body][i] = is_border(s, (int)body, i) ? 0 : depth[i];
   return ARC_OK;
 }

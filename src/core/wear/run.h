@@ -51,7 +51,7 @@ struct arc_wear {
   void *own;  /* data of the kind of pair */
   wear_work work;
   int warned; /* 1 if the user has received the warnings about this definition */
-  int coarse; /* 1 if the user has received the warning about coarse sites */
+  int late;   /* warnings that the user has received, see arc_kind.warn_late */
   wear_judged judged;
   wear_start start;
 };

@@ -248,8 +248,8 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
   }
   w->kind->discard(&out.shape);
   if (status == ARC_OK) arc_wear_warn_of_ripples(w, plan.block, callbacks);
-  if (status == ARC_OK && callbacks && callbacks->warn && w->kind->warn_coarse && !w->coarse)
-    w->coarse = w->kind->warn_coarse(w, callbacks);
+  if (status == ARC_OK && callbacks && callbacks->warn && w->kind->warn_late)
+    w->late = w->kind->warn_late(w, w->late, callbacks);
 #ifdef ARC_CHECKS
   arc_error broken;
   if (status == ARC_OK && arc_wear_validate(w, &broken) == ARC_NUMERIC)

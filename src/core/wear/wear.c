@@ -85,6 +85,7 @@ arc_status arc_wear_create_on(arc_model *model, const arc_wear_def *def, const a
 
 /* Destroys the run *w and sets *w to the run `by`. */
 static void replace(arc_wear **w, arc_wear *by) {
+  by->late = (*w)->late;
   arc_wear_destroy(w);
   *w = by;
 }
