@@ -163,11 +163,10 @@ typedef struct arc_loading {
          "Stroke s_t of the plate, from one end to the other, twice the amplitude. In a "          \
          "reciprocating test give cycles = frequency times time; results do not depend on the "    \
          "frequency or on whether the motion is sinusoidal. For fretting give friction too: "      \
-         "wear{ friction=0.6, stroke=0.05 } has an amplitude of 25 um. In 2-D, if the stroke is "  \
-         "twice "                                                                                  \
-         "the radius, the whole plate slides under the contact once, in one direction: a cycle "   \
-         "has one stroke instead of two. The strokes in the reference paper are 0.11, 0.22, 0.44 " \
-         "mm (a, 2a, 4a; a is the half width of the contact) and 20 mm (2R).")                     \
+         "wear{ friction=0.6, stroke=0.05 } has an amplitude of 25 um. In 2-D, if the stroke "     \
+         "is twice the radius, the whole plate slides under the contact once, in one direction: "  \
+         "a cycle has one stroke instead of two. The strokes in the reference paper are 0.11, "    \
+         "0.22, 0.44 mm (a, 2a, 4a; a is the half width of the contact) and 20 mm (2R).")          \
   NUMBER(distance, "mm", 1320, ABOVE(0), ARC_OPTIONAL,                                             \
          "Sliding distance d_t to simulate. Give distance or cycles. With loading, the default "   \
          "is the end of its last block.")                                                          \

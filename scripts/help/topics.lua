@@ -367,7 +367,8 @@ To estimate a run, make one update with time(function() w:step() end). The numbe
 number of cycles. Runs are faster with
 
   mesh                    model = { mesh = { fineness = 0.5 } }: elements
-                          twice as large, for first results
+                          twice as large, for first results; long strokes
+                          in 3-D need a tenth of the time
   geometry = "frozen"     the mesh does not change: for wear that is small
                           compared with layers and radii
   a larger tolerance      with implicit steps, the default without friction

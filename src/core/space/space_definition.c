@@ -153,16 +153,20 @@ static int are_unlike(const arc_model_def *model) {
 }
 
 /* Returns the number of increments of a cycle: the number set by the user, or one per cell of the
- * stroke, at least 4. With friction the minimum is one per stroke, or two between unlike bodies,
- * for which the error of the wear is below 0.4 %. Cycles under a tangential force have this
- * minimum. */
+ * stroke, at least 4. The automatic number of cells of a stroke is even, so that the
+ * contact is at whole cells at both ends and in the middle of the stroke; these cells may be wider
+ * than the usual cell, but not by much. With friction the minimum is one per stroke, or two between
+ * unlike bodies, for which the error of the wear is below 0.4 %. Cycles under a tangential force
+ * have this minimum. */
 int arc_space_increments(const arc_wear_def *def, const arc_model_def *model) {
   enum { most = 1 << 20 };
+  static const double wider = 1.25;
   if (def->increments > 0) return def->increments;
   const int of_slip = are_unlike(model) ? 4 : 2;
   if (def->tangential > 0) return of_slip;
   const int rubs = arc_wear_has_friction(def), fewest = rubs ? of_slip : 4;
-  const double half = 2 * round(def->stroke / arc_space_cell(model, def->load) / 2);
+  const double pairs = def->stroke / arc_space_cell(model, def->load) / 2;
+  const double half = 2 * fmax(round(pairs), ceil(pairs / wider));
   return 2 * (int)fmin(fmax(fewest / 2, half), most);
 }
 
