@@ -111,8 +111,9 @@ local function surface(self, where, body, distance)
   return found
 end
 
--- Returns the numbers of rows over x and of columns over z of a stored surface in 3-D.
+-- Returns the numbers of rows over x and of columns over z of a stored surface, 1 and 1 for a line.
 local function size_of(found)
+  if not found.z then return 1, 1 end
   local columns = 1
   while found.x[columns + 1] == found.x[1] do columns = columns + 1 end
   return #found.x // columns, columns
@@ -121,14 +122,13 @@ end
 -- Returns the given lists of a stored surface and its distance as a table. In 3-D, returns the line along
 -- the motion through the middle; for a groove, which does not vary along the motion, the line across it.
 local function line(where, found, names)
+  local rows, columns = size_of(found)
   local of = { distance = found.distance }
-  local rows, columns = 1, 1
-  if found.z then rows, columns = size_of(found) end
   for _, name in ipairs(names) do
-    local list = {}
-    for i = 0, rows - 1 do list[i + 1] = found[name][i * columns + columns // 2 + 1] end
-    of[name] = (not found.z or rows == 1) and found[found.z and name == "x" and "z" or name] or list
+    of[name] = rows == 1 and found[name] or {}
+    for i = 1, rows > 1 and rows or 0 do of[name][i] = found[name][(i - 1) * columns + columns // 2 + 1] end
   end
+  if found.z and rows == 1 then of.x = found.z end
   return strict.table(of, where)
 end
 
@@ -150,8 +150,7 @@ function methods:map(body, what, distance)
   what = what == nil and "depth" or what
   if not quantities[what] then check.refuse(where, "what", '"depth", "height" or "pressure"', what) end
   local found = surface(self, where, body, distance)
-  local rows, columns = 1, 1
-  if found.z then rows, columns = size_of(found) end
+  local rows, columns = size_of(found)
   if rows < 2 or columns < 2 then
     check.fail(where, "expected a surface stored as a map of a 3-D run, got a line: use case:profile()")
   end
