@@ -55,19 +55,15 @@ local profile = check.kind("a profile of depths with lists x and h [mm] (for a p
   return (type(v) == "table" or type(v) == "userdata") and v.x ~= nil and v.h ~= nil
 end)
 
-local section = check.kind("the line of a section, { z = 0 } or { x = 0 } in mm", function(v)
-  return type(v) == "table" and (v.x == nil) ~= (v.z == nil) and check.number.test(v.x or v.z) and keys(v)[2] == nil
-end)
-
 local fields = {
-  section = section,
+  section = check.section,
   loop = loops.kind, map = maps.kind, compliance = check.number, cycle = sizes,
   profile = profile, x = list, h = list, body = body, shift = check.number, tilt = check.number,
   level = check.number, of = check.one_of(keys(quantities), of_bodies), distance = sizes, value = one_or_more,
   error = sizes, relative = check.positive, title = check.text,
 }
 data.fields = fields
-data.kinds = { sizes = sizes, body = body, list = list, section = section }
+data.kinds = { sizes = sizes, body = body, list = list, section = check.section }
 
 -- --- reading -------------------------------------------------------------------------------------
 

@@ -60,6 +60,10 @@ check.progress = kind('a function, false or "lines"', function(v)
   return type(v) == "function" or v == false or v == "lines"
 end)
 
+check.section = kind("the line of a section, { z = 0 } or { x = 0 } in mm", function(v)
+  return type(v) == "table" and (v.x == nil) ~= (v.z == nil) and finite(v.x or v.z) and keys(v)[2] == nil
+end)
+
 -- Returns the kind of whole numbers from `low` to `high`. Without `high`, there is no upper limit.
 function check.whole(low, high)
   return kind(high and ("a whole number in [%d, %d]"):format(low, high)

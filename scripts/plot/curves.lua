@@ -192,10 +192,6 @@ local function sections(where, objects, names, of_body, scale, options)
   return panels
 end
 
-local section_kind = check.kind("{ x = 0 } or { z = 0 }, a position in mm", function(v)
-  return type(v) == "table" and (v.x == nil) ~= (v.z == nil) and check.number.test(v.x or v.z)
-end)
-
 -- Returns the section to draw of runs in three dimensions, or nil for the default.
 local function section_of(where, options, spatial)
   if options.section and not spatial then
@@ -226,7 +222,7 @@ function curves.profile(...)
   local where = "plot.profile"
   if measured.is_profile((...)) then return require "archard.plot.trace" (where, ...) end
   local objects, words, options = split(where, "profile", { body = body_kind,
-    titles = check.table, measured = measured.kind, section = section_kind }, ...)
+    titles = check.table, measured = measured.kind, section = check.section }, ...)
   local body, word = body_word(where, objects, words, options)
   local spatial = is_spatial(objects[1])
   local section = section_of(where, options, spatial)
