@@ -133,6 +133,32 @@ end
 below(asymmetry(runs[0.25]:map "ball"), 1e-9, "asymmetry across the motion: ball")
 below(asymmetry(runs[0.25]:map "block"), 1e-9, "asymmetry across the motion: flat")
 
+-- Tests that two rough bodies and their mirror images across the motion wear by the same depths.
+local function rough(side)
+  local x, up, low = {}, {}, {}
+  for i = 1, 121 do x[i] = 0.005 * (i - 61) end
+  for _, u in ipairs(x) do
+    for _, z in ipairs(x) do
+      local v = side * z
+      up[#up + 1] = 4e-4 * (math.sin(70 * u + 1) * math.cos(43 * v + 0.5) + 0.5 * math.sin(100 * v + 0.2))
+      low[#low + 1] = 4e-4 * (math.cos(57 * u + 0.3) * math.sin(37 * v + 0.9) + 0.3 * math.cos(33 * (u + v)))
+    end
+  end
+  local w = wear{ model = { geometry = "3-D", upper = body.map{ x = x, z = x, y = up, radius = 5 },
+    lower = body.map{ x = x, z = x, y = low } }, load = 5, stroke = 0.1, distance = 200, k = 1e-7 }
+  w:run{ progress = false }
+  return w
+end
+local one, other = rough(1), rough(-1)
+for _, name in ipairs{ "upper", "lower" } do
+  local a, b, most = one:map(name), other:map(name), 0
+  local nz = #a.z
+  for i = 1, #a.x do
+    for j = 1, nz do most = math.max(most, math.abs(a.y[(i - 1) * nz + j] - b.y[i * nz + 1 - j])) end
+  end
+  below(most / one.depth[name], 1e-9, "mirror images of two rough bodies: depths of the " .. name .. " body")
+end
+
 -- Tests the exchange of bodies, with the flat as the upper body: both bodies wear by the same amounts in the
 -- same motion.
 local turned = model{ geometry = "3-D", upper = body.block{}, lower = body.ball{ radius = 10 } }

@@ -45,7 +45,10 @@ static int fit_level(const int level[SPACE_LEVELS], space_range r, int margin, i
   int best = 0;
   for (int k = 1; k < SPACE_LEVELS; k++)
     if (level[k] >= high - low + 1 && level[k] < level[best]) best = k;
-  const int first = symmetric ? (n - level[best]) / 2 : (low + high + 1 - level[best]) / 2;
+  /* A box that cannot be in the middle of the range is shifted to the middle of the window, so that
+   * mirrored ranges have mirrored boxes. */
+  const int twice = symmetric ? n - level[best] : low + high + 1 - level[best],
+            first = (twice + (low + high < n - 1)) / 2;
   *from = first < 0 ? 0 : first + level[best] > n ? n - level[best] : first;
   return best;
 }

@@ -32,13 +32,16 @@ static double approach_of(const arc_halfspace *h, const double *gap, double leas
   return high;
 }
 
+/* The approach ends at the gap of the last cell that enters. Such a cell, whose pressure would be
+ * the square root of a rounding error, has none. */
 void arc_space_guess(const arc_halfspace *h, const double *gap, double load, double *pressure) {
+  static const double entered = 1e-6;
   const double least = least_of(h->cells, gap);
   const double half = h->def.periodic ? INFINITY : approach_of(h, gap, least, load) / 2;
   double sum = 0;
   for (int k = 0; k < h->cells; k++) {
     const double inside = half - (gap[k] - least);
-    pressure[k] = h->def.periodic ? 1 : inside > 0 ? sqrt(inside) : 0;
+    pressure[k] = h->def.periodic ? 1 : inside > entered * half ? sqrt(inside) : 0;
     sum += pressure[k];
   }
   const double scale = load / (sum * h->def.size_x * h->def.size_z);
