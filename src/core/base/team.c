@@ -10,6 +10,12 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+/* Next task of a thread's share. Counters of different threads are in different cache lines. */
+typedef struct share_counter {
+  atomic_int next;
+  char apart[64 - sizeof(atomic_int)];
+} share_counter;
+
 struct work_team {
   pthread_mutex_t lock;
   pthread_cond_t begun, ended;
@@ -22,7 +28,7 @@ struct work_team {
   team_task task;
   void *context;
   int tasks;
-  atomic_int next;
+  share_counter *share; /* [threads + 1] */
 };
 
 /* Argument of a thread. */
@@ -31,12 +37,24 @@ typedef struct member {
   int worker;
 } member;
 
-static void share(work_team *t, int worker) {
-  for (int k = atomic_fetch_add(&t->next, 1); k < t->tasks; k = atomic_fetch_add(&t->next, 1))
-    t->task(t->context, k, worker);
+/* Returns the first task of a worker's share of the tasks. */
+static int first_of(const work_team *t, int worker) {
+  return (int)((long long)t->tasks * worker / (t->threads + 1));
 }
 
-enum { yields = 100 /* number of times that a thread yields before it sleeps */ };
+/* Runs the tasks of the worker's own share, then those that are left in the shares of others. Loops
+ * with the same number of tasks thus run most tasks on the processor whose cache has their data. */
+static void run_tasks(work_team *t, int worker) {
+  const int workers = t->threads + 1;
+  for (int i = 0; i < workers; i++) {
+    const int of = (worker + i) % workers, end = first_of(t, of + 1);
+    for (int k = atomic_fetch_add(&t->share[of].next, 1); k < end;
+         k = atomic_fetch_add(&t->share[of].next, 1))
+      t->task(t->context, k, worker);
+  }
+}
+
+enum { yields = 1000 /* number of times that a thread yields before it sleeps */ };
 
 /* Yields while *value is `old` (unless `equal` is 0: while it is not). Gives up after some times.
  */
@@ -59,7 +77,7 @@ static void *work(void *context) {
   work_team *t = m.team;
   free(context);
   for (int loop = 0; await_loop(t, loop); loop++) {
-    share(t, m.worker);
+    run_tasks(t, m.worker);
     pthread_mutex_lock(&t->lock);
     if (atomic_fetch_sub(&t->busy, 1) == 1) pthread_cond_signal(&t->ended);
     pthread_mutex_unlock(&t->lock);
@@ -83,13 +101,21 @@ static int start(work_team *t) {
   return started;
 }
 
+static void release(work_team *t) {
+  if (!t) return;
+  free(t->share);
+  free(t->thread);
+  free(t);
+}
+
 arc_status arc_team_create(int workers, work_team **team, arc_error *error) {
   *team = NULL;
   if (workers <= 1) return ARC_OK;
   work_team *t = calloc(1, sizeof *t);
   if (t) t->thread = calloc((size_t)workers - 1, sizeof *t->thread);
-  if (!t || !t->thread) {
-    free(t);
+  if (t) t->share = calloc((size_t)workers, sizeof *t->share);
+  if (!t || !t->thread || !t->share) {
+    release(t);
     return arc_fail(error, ARC_MEMORY, "out of memory for %d workers", workers);
   }
   pthread_mutex_init(&t->lock, NULL);
@@ -120,8 +146,7 @@ void arc_team_destroy(work_team **team) {
     pthread_cond_destroy(&t->ended);
     pthread_mutex_destroy(&t->lock);
   }
-  free(t->thread);
-  free(t);
+  release(t);
 }
 
 int arc_team_workers(const work_team *team) {
@@ -141,12 +166,12 @@ void arc_team_run(work_team *t, int tasks, team_task task, void *context) {
   t->task = task;
   t->context = context;
   t->tasks = tasks;
-  atomic_store(&t->next, 0);
+  for (int w = 0; w <= t->threads; w++) atomic_store(&t->share[w].next, first_of(t, w));
   atomic_store(&t->busy, t->threads);
   atomic_fetch_add(&t->loop, 1);
   pthread_cond_broadcast(&t->begun);
   pthread_mutex_unlock(&t->lock);
-  share(t, 0);
+  run_tasks(t, 0);
   yield_while(&t->busy, 0, 0);
   pthread_mutex_lock(&t->lock);
   while (atomic_load(&t->busy) > 0) pthread_cond_wait(&t->ended, &t->lock);
