@@ -186,11 +186,23 @@ static void start_one(void *context, int position, int worker) {
 typedef struct outside {
   positions *p;
   space_box box;
+  int layered;        /* 1 if a body has layers or a rigid base */
   space_range *x, *z; /* [count] */
 } outside;
 
 static int in_box(const space_box *b, int i, int k) {
   return i >= b->x && i < b->x + b->nx && k >= b->z && k < b->z + b->nz;
+}
+
+/* Returns true if the gap of a cell outside the box is not larger than the approach. Otherwise the
+ * surfaces overlap nowhere outside the box, because pressures on half-spaces without layers only
+ * increase gaps. */
+static int may_overlap(const outside *o, const double *gap, double approach) {
+  const arc_halfspace *h = o->p->s.h;
+  for (int i = 0; i < h->def.nx; i++)
+    for (int k = 0; k < h->def.nz; k++)
+      if (gap[i * h->def.nz + k] <= approach && !in_box(&o->box, i, k)) return 1;
+  return 0;
 }
 
 static void look_outside(void *context, int position, int worker) {
@@ -199,11 +211,12 @@ static void look_outside(void *context, int position, int worker) {
   const arc_halfspace *h = p->s.h;
   const int w = p->s.count > 1 ? worker : p->s.worker;
   double *u = h->scratch + (size_t)w * 2 * (size_t)h->cells, *gap = u + h->cells, largest = 0;
+  o->x[position] = o->z[position] = (space_range){0, -1};
+  arc_stroke_gap(&p->s, p->depth, position, gap);
+  if (!o->layered && !may_overlap(o, gap, p->approach[position])) return;
   arc_convolution_apply(h->convolution[0][0], h->work[w],
                         p->pressure + (size_t)position * (size_t)h->cells, u);
-  arc_stroke_gap(&p->s, p->depth, position, gap);
   for (int k = 0; k < h->cells; k++) largest = fmax(largest, u[k]);
-  o->x[position] = o->z[position] = (space_range){0, -1};
   for (int i = 0; i < h->def.nx; i++)
     for (int k = 0; k < h->def.nz; k++) {
       const int c = i * h->def.nz + k;
@@ -221,7 +234,10 @@ static arc_status check_outside(positions *p, const space_box *box, space_range 
   const int n = p->s.count;
   *wider = 0;
   if (box->level_x == 0 && box->level_z == 0) return ARC_OK;
-  outside o = {.p = p, .box = *box, .x = malloc(2 * (size_t)n * sizeof(space_range))};
+  outside o = {.p = p,
+               .box = *box,
+               .layered = arc_space_thinnest(&p->s.h->def) > 0,
+               .x = malloc(2 * (size_t)n * sizeof(space_range))};
   if (!o.x) return arc_fail(error, ARC_MEMORY, "out of memory for %d positions", n);
   o.z = o.x + n;
   p->s.box = arc_space_window(p->s.h);
