@@ -11,14 +11,18 @@
 
 /* --- positions -------------------------------------------------------------------------------- */
 
-static double step_to(const wear_block *b, int at) {
-  return fabs(b->x[at] - b->x[at - 1]);
+/* Returns the sliding distance between two points of the cycle [mm]. */
+static double sliding_between(const wear_block *b, int from, int to) {
+  double sum = 0;
+  for (int i = from + 1; i <= to; i++) sum += fabs(b->x[i] - b->x[i - 1]);
+  return sum;
 }
 
-/* Returns the weight of a point of the cycle: the sliding distance assigned to the point [mm]. */
-static double weight_of(const arc_wear *w, const wear_window *v, int at) {
-  const double before = at > v->first ? step_to(v->block, at) : 0,
-               after = at < v->last ? step_to(v->block, at + 1) : 0;
+/* Returns the weight of a point of the cycle, whose neighbours are `step` points away: the sliding
+ * distance assigned to the point [mm]. */
+static double weight_of(const arc_wear *w, const wear_window *v, int at, int step) {
+  const double before = at > v->first ? sliding_between(v->block, at - step, at) : 0,
+               after = at < v->last ? sliding_between(v->block, at, at + step) : 0;
   const double sliding = w->def.rule == ARC_TRAPEZOID ? (before + after) / 2 : before;
   return v->block->repeat * sliding;
 }
@@ -109,8 +113,10 @@ arc_status arc_space_path(const arc_wear *w, const wear_window *v, space_path *p
   *path = (space_path){.position = malloc(points * sizeof *path->position)};
   if (!path->position) return arc_fail(error, ARC_MEMORY, "out of memory for a cycle");
   if (arc_wear_has_friction(&w->def)) return rub(v, path, error);
-  for (int at = v->first; at <= v->last; at++) {
-    const double weight = weight_of(w, v, at), load = v->block->line[at];
+  const int each = arc_space_increments_per_cell(w, v->block),
+            step = v->first % each == 0 && v->last % each == 0 ? each : 1;
+  for (int at = v->first; at <= v->last; at += step) {
+    const double weight = weight_of(w, v, at, step), load = v->block->line[at];
     const double x = w->manner.rests ? 0 : v->block->x[at];
     if (weight > 0 && load > 0) add_position(path, x, load, weight);
   }

@@ -154,10 +154,10 @@ static int are_unlike(const arc_model_def *model) {
 
 /* Returns the number of increments of a cycle: the number set by the user, or one per cell of the
  * stroke, at least 4. The automatic number of cells of a stroke is even, so that the
- * contact is at whole cells at both ends and in the middle of the stroke; these cells may be wider
- * than the usual cell, but not by much. With friction the minimum is one per stroke, or two between
- * unlike bodies, for which the error of the wear is below 0.4 %. Cycles under a tangential force
- * have this minimum. */
+ * contact is at whole cells at both ends and in the middle of the stroke, also after the cells of a
+ * long stroke were doubled; these cells may be wider than the usual cell, but not by much. With
+ * friction the minimum is one per stroke, or two between unlike bodies, for which the error of the
+ * wear is below 0.4 %. Cycles under a tangential force have this minimum. */
 int arc_space_increments(const arc_wear_def *def, const arc_model_def *model) {
   enum { most = 1 << 20 };
   static const double wider = 1.25;
@@ -165,8 +165,10 @@ int arc_space_increments(const arc_wear_def *def, const arc_model_def *model) {
   const int of_slip = are_unlike(model) ? 4 : 2;
   if (def->tangential > 0) return of_slip;
   const int rubs = arc_wear_has_friction(def), fewest = rubs ? of_slip : 4;
-  const double pairs = def->stroke / arc_space_cell(model, def->load) / 2;
-  const double half = 2 * fmax(round(pairs), ceil(pairs / wider));
+  const double cells = def->stroke / arc_space_cell(model, def->load);
+  double unit = 2;
+  while (arc_space_follows(def, model) && unit < most && cells >= 8 * unit) unit *= 2;
+  const double half = unit * fmax(round(cells / unit), ceil(cells / unit / wider));
   return 2 * (int)fmin(fmax(fewest / 2, half), most);
 }
 
@@ -201,10 +203,13 @@ static double stroke_of(const arc_wear_def *def, const arc_model_def *model) {
   return 2 * most;
 }
 
-/* Returns the estimated worn volume at the end of the run [mm3]; 0 if k is not constant. */
+/* Returns the estimated worn volume [mm3] for which the first window is sized: the volume at the
+ * end of the run, unless its window grows before; 0 if k is not constant. */
 static double volume_of(const arc_wear_def *def, const arc_model_def *model) {
   const int known = !def->k_function && def->k_series.count == 0;
-  const double most = arc_wear_has_friction(def) ? arc_space_slip_volume(def, model) : INFINITY;
+  const double most = arc_wear_has_friction(def)
+                          ? arc_space_slip_volume(def, model)
+                          : arc_space_first_volume(def, model, rests(def, model));
   return known ? fmin(def->k * def->load * def->distance, most) : 0;
 }
 

@@ -153,9 +153,10 @@ static double natural_depth(const arc_wear *w) {
 /* --- growth of the window --------------------------------------------------------------------- */
 
 static int must_grow(const arc_wear *w, arc_error *why) {
-  (void)w;
-  (void)why;
-  return 0;
+  arc_halfspace_def coarser;
+  if (!arc_space_coarsen(w, &coarser)) return 0;
+  arc_fail(why, ARC_ZONE, "the contact has become too wide for its cells");
+  return 1;
 }
 
 static int has_outgrown(const arc_wear *w, arc_status why) {
@@ -171,12 +172,14 @@ static int can_grow(const arc_wear *w) {
 static arc_status grow(const arc_wear *w, arc_status why, const arc_callbacks *callbacks,
                        arc_wear **result, arc_error *error) {
   const space_shape *s = space_shape_of(w->shape);
-  arc_halfspace_def cells = *arc_halfspace_definition(s->grid->h);
+  arc_halfspace_def cells;
   space_shape *larger = NULL;
   (void)why;
   (void)callbacks;
   *result = NULL;
-  arc_status status = arc_space_widen(arc_model_definition(w->model), 8, &cells, error);
+  arc_status status = arc_space_coarsen(w, &cells)
+                          ? ARC_OK
+                          : arc_space_widen(arc_model_definition(w->model), 8, &cells, error);
   if (status == ARC_OK) status = arc_space_regrow(s, &cells, &larger, error);
   if (status != ARC_OK) return status;
   arc_shape *shape = (arc_shape *)(void *)larger;

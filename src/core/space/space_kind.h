@@ -134,6 +134,21 @@ double arc_space_reach(const arc_model_def *model, double load);
 /* Returns the definition of the half-spaces with the initial cells of a run. */
 arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *model);
 
+/* --- coarsen.c -------------------------------------------------------------------------------- */
+/* Returns true if the cells of a run follow its contact: they were chosen by default, and neither
+ * roughness, layers nor the edge of a stick zone must be resolved. */
+int arc_space_follows(const arc_wear_def *def, const arc_model_def *model);
+/* Writes to `cells` the cells of a run, doubled along each axis along which the contact has become
+ * so wide that doubled cells still resolve it better than the first cells resolved the unworn
+ * contact. Returns true if any were doubled. */
+int arc_space_coarsen(const arc_wear *w, arc_halfspace_def *cells);
+/* Returns the worn volume [mm3] for which the first window of a run is sized: the volume at which
+ * cells are doubled, and the window with them; INFINITY if the cells of the run stay. `rests` is
+ * true if the contact does not move. */
+double arc_space_first_volume(const arc_wear_def *def, const arc_model_def *model, int rests);
+/* Returns the number of increments of a cycle in a cell: 1, or more after cells were doubled. */
+int arc_space_increments_per_cell(const arc_wear *w, const wear_block *block);
+
 /* --- space_shape.c ---------------------------------------------------------------------------- */
 /* Creates unworn surfaces on the given cells. */
 arc_status arc_space_create(arc_model *model, const arc_halfspace_def *cells, space_shape **shape,
@@ -144,7 +159,7 @@ arc_status arc_space_copy(const arc_shape *shape, arc_shape **copy, arc_error *e
 void arc_space_discard(arc_shape **shape);
 space_grid *arc_space_hold(space_grid *grid);
 void arc_space_let_go(space_grid **grid);
-/* Transfers surfaces to a larger number of cells of the same size. */
+/* Transfers surfaces to other cells, which must contain all worn cells. */
 arc_status arc_space_regrow(const space_shape *from, const arc_halfspace_def *cells,
                             space_shape **grown, arc_error *error);
 arc_array *arc_space_save(const arc_shape *shape, size_t *count);
