@@ -166,8 +166,9 @@ int arc_space_increments(const arc_wear_def *def, const arc_model_def *model) {
   if (def->tangential > 0) return of_slip;
   const int rubs = arc_wear_has_friction(def), fewest = rubs ? of_slip : 4;
   const double cells = def->stroke / arc_space_cell(model, def->load);
+  const int follows = arc_space_follows(def, model);
   double unit = 2;
-  while (arc_space_follows(def, model) && unit < most && cells >= 8 * unit) unit *= 2;
+  while (follows && unit < most && cells >= 8 * unit) unit *= 2;
   const double half = unit * fmax(round(cells / unit), ceil(cells / unit / wider));
   return 2 * (int)fmin(fmax(fewest / 2, half), most);
 }
@@ -204,13 +205,15 @@ static double stroke_of(const arc_wear_def *def, const arc_model_def *model) {
 }
 
 /* Returns the estimated worn volume [mm3] for which the first window is sized: the volume at the
- * end of the run, unless its window grows before; 0 if k is not constant. */
+ * end of the run, unless its window grows with its cells before. If k is not constant, the volume
+ * at the end is unknown. */
 static double volume_of(const arc_wear_def *def, const arc_model_def *model) {
   const int known = !def->k_function && def->k_series.count == 0;
   const double most = arc_wear_has_friction(def)
                           ? arc_space_slip_volume(def, model)
                           : arc_space_first_volume(def, model, rests(def, model));
-  return known ? fmin(def->k * def->load * def->distance, most) : 0;
+  if (known) return fmin(def->k * def->load * def->distance, most);
+  return isfinite(most) ? most : 0;
 }
 
 arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *model) {
