@@ -12,6 +12,7 @@ local function definition(changes)
   local all = { model = { geometry = "3-D", upper = ball, lower = flat }, load = 10, k = 1e-6, stroke = 0.3, alpha = 0.5,
     distance = 60 }
   for name, value in pairs(changes or {}) do all[name] = value end
+  if all.track then all.stroke = nil end
   return all
 end
 
@@ -32,6 +33,7 @@ local function on_cells(size) return { geometry = "3-D", upper = ball, lower = f
 for _, case in ipairs{
   { "both bodies", {}, 1, 2 }, { "the ball alone", { alpha = 1, distance = 20 }, 2, 2 },
   { "a long stroke", { stroke = 1, distance = 160 }, 2, 2 }, { "a groove", { procedure = "NSP", stroke = 5, distance = 300 }, 2, 2 },
+  { "a pin on a disc", { track = 5, distance = 600 }, 4, 4, 1.5e-3 },
 } do
   local name, changes = case[1], case[2]
   local w = run(changes)
@@ -40,7 +42,7 @@ for _, case in ipairs{
   figures.about(cell(w, "x") / half * 8, case[3], 0.1 * case[3], name .. ": cells along the motion, divided by those at the start")
   figures.about(cell(w, "z") / half * 8, case[4], 0.1 * case[4], name .. ": cells across the motion, divided by those at the start")
   for _, side in ipairs{ "upper", "lower" } do
-    if same.depth[side] > 0 then within(w.depth[side], same.depth[side], 5e-4, name .. ": depth of the " .. side .. " body [mm]") end
+    if same.depth[side] > 0 then within(w.depth[side], same.depth[side], case[5] or 5e-4, name .. ": depth of the " .. side .. " body [mm]") end
   end
   within(w.volume.total, 1e-6 * 10 * w.distance, 1e-12, name .. ": volume [mm3]")
 end
