@@ -259,7 +259,8 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
 }
 
 /* Makes a step. If the contact reaches the edge of its zones, the step is repeated on larger
- * meshes. If this fails as well, the run is unchanged and the first error is reported. */
+ * meshes. If this fails as well, or if nothing is left to do, the run is unchanged; the first error
+ * is reported. */
 static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *callbacks,
                                wear_targets *targets, int *moved, arc_error *error) {
   enum { most_tries = 4 };
@@ -282,7 +283,7 @@ static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *c
     status = try_step(w, limit, callbacks, targets, moved, &trouble);
     if (status == ARC_STOPPED) arc_fail(&why, status, "%s", trouble.message);
   }
-  if (before && status == ARC_OK)
+  if (before && status == ARC_OK && *moved)
     growth->report(before, w, callbacks);
   else if (before)
     arc_wear_exchange(w, before);
