@@ -59,6 +59,28 @@ static int loses(const double *value, const axis *x, const axis *z, const axis *
   return 0;
 }
 
+/* Multiplies the depths by a factor that adds `missing` to their sum. */
+static void scale(double *grown, size_t cells, double missing) {
+  double sum = 0;
+  for (size_t k = 0; k < cells; k++) sum += grown[k];
+  for (size_t k = 0; k < cells && sum > 0; k++) grown[k] *= 1 + missing / sum;
+}
+
+/* Adds the depths that are missing, summed over all cells, to the worn cells in equal parts. A
+ * factor would change the shape of the scar, and with it the pressures, more. */
+static void keep_sum(double *grown, size_t cells, double missing) {
+  size_t worn = 0, deeper = 0;
+  for (size_t k = 0; k < cells; k++) worn += grown[k] > 0;
+  const double least = worn > 0 ? 2 * fabs(missing) / (double)worn : 0;
+  for (size_t k = 0; k < cells; k++) deeper += grown[k] > least;
+  if (2 * deeper < worn) {
+    scale(grown, cells, missing);
+    return;
+  }
+  for (size_t k = 0; k < cells; k++)
+    if (grown[k] > least) grown[k] += missing / (double)deeper;
+}
+
 static void regrow(const double *value, const axis *x, const axis *z, const axis *to_x,
                    const axis *to_z, double *grown) {
   int exact = x->size == to_x->size && z->size == to_z->size;
@@ -68,10 +90,9 @@ static void regrow(const double *value, const axis *x, const axis *z, const axis
       exact = exact && u == floor(u) && v == floor(v);
       grown[(size_t)i * (size_t)to_z->count + (size_t)j] = between(value, x, z, u, v);
     }
-  const double before = total(value, x, z), after = total(grown, to_x, to_z);
-  if (exact || after == 0) return;
-  for (size_t k = 0, n = (size_t)to_x->count * (size_t)to_z->count; k < n; k++)
-    grown[k] *= before / after;
+  if (exact) return;
+  const double missing = total(value, x, z) - total(grown, to_x, to_z);
+  keep_sum(grown, (size_t)to_x->count * (size_t)to_z->count, missing / (to_x->size * to_z->size));
 }
 
 arc_status arc_halfspace_regrow(const arc_halfspace *from, const double *const depth[ARC_BODIES],
