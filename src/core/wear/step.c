@@ -259,15 +259,14 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
 }
 
 /* Makes a step. If the contact reaches the edge of its zones, the step is repeated on larger
- * meshes. If this fails as well, or if nothing is left to do, the run is unchanged; the first error
- * is reported. */
+ * meshes. If this fails as well, the run is unchanged and the first error is reported. */
 static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *callbacks,
                                wear_targets *targets, int *moved, arc_error *error) {
   enum { most_tries = 4 };
   arc_error why = {0}, trouble = {0};
   arc_wear *before = NULL, *larger;
   const arc_growth *growth = w->kind->growth;
-  arc_status status = growth && growth->must_grow(w, &why)
+  arc_status status = growth && arc_wear_can_move(w, limit) && growth->must_grow(w, &why)
                           ? why.status
                           : try_step(w, limit, callbacks, targets, moved, &why);
   const arc_status first = status;
@@ -283,7 +282,7 @@ static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *c
     status = try_step(w, limit, callbacks, targets, moved, &trouble);
     if (status == ARC_STOPPED) arc_fail(&why, status, "%s", trouble.message);
   }
-  if (before && status == ARC_OK && *moved)
+  if (before && status == ARC_OK)
     growth->report(before, w, callbacks);
   else if (before)
     arc_wear_exchange(w, before);

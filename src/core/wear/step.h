@@ -45,8 +45,11 @@ typedef struct update_coefficients {
 } update_coefficients;
 
 /* --- step_length.c ---------------------------------------------------------------------------- */
-/* Plans the next step towards the distance `limit` [mm]. Sets *moved to 0 if the limit has been
- * reached, otherwise to 1. */
+/* Returns true if the run has neither reached the distance `limit` [mm] nor the end of its loading.
+ */
+int arc_wear_can_move(const arc_wear *w, double limit);
+/* Plans the next step towards the distance `limit` [mm]. Sets *moved to arc_wear_can_move(w,
+ * limit). */
 arc_status arc_wear_plan_step(arc_wear *w, double limit, const arc_callbacks *callbacks,
                               wear_plan *plan, int *moved, arc_error *error);
 /* Shortens a plan to the given number of cycles. */

@@ -216,17 +216,22 @@ static arc_status check_progress(const arc_wear *w, const wear_plan *plan, doubl
                   many, now->distance, gone, left);
 }
 
+int arc_wear_can_move(const arc_wear *w, double limit) {
+  const arc_wear_record *now = arc_wear_last(w);
+  const wear_block *block = arc_wear_block_at(w, now->cycle);
+  const int finished = !block->periodic && block == &w->block[w->blocks - 1] &&
+                       now->cycle >= block->start_cycle + 1 - whole;
+  return !finished && (limit - now->distance) > rounding * (limit + block->sliding);
+}
+
 arc_status arc_wear_plan_step(arc_wear *w, double limit, const arc_callbacks *callbacks,
                               wear_plan *plan, int *moved, arc_error *error) {
   const arc_wear_record *now = arc_wear_last(w);
   plan->block = arc_wear_block_at(w, now->cycle);
   plan->most = INFINITY;
-  const int last = plan->block == &w->block[w->blocks - 1];
   const double end = bound(w, plan->block, limit),
                left = (end - now->distance) / plan->block->sliding;
-  const int finished =
-      !plan->block->periodic && last && now->cycle >= plan->block->start_cycle + 1 - whole;
-  *moved = !finished && (limit - now->distance) > rounding * (limit + plan->block->sliding);
+  *moved = arc_wear_can_move(w, limit);
   if (!*moved) return ARC_OK;
   const arc_status status = check_progress(w, plan, limit, error);
   if (status != ARC_OK) return status;
