@@ -9,6 +9,8 @@
  */
 static const double rich = 2.5;
 
+enum { fewest = 8 }; /* cells of a stroke below which they are not doubled */
+
 int arc_space_follows(const arc_wear_def *def, const arc_model_def *model) {
   const arc_halfspace_def bodies = arc_space_bodies(model);
   return !(model->mesh.size > 0) && !model->periodic && !arc_wear_has_friction(def) &&
@@ -16,10 +18,17 @@ int arc_space_follows(const arc_wear_def *def, const arc_model_def *model) {
          !arc_body_is_map(&model->body[ARC_LOWER]);
 }
 
+double arc_space_stroke_unit(const arc_wear_def *def, const arc_model_def *model, double cells) {
+  enum { most = 1 << 20 };
+  double unit = 2;
+  if (!arc_space_follows(def, model)) return unit;
+  while (unit < most && cells >= fewest * unit) unit *= 2;
+  return unit;
+}
+
 /* Returns true if cells along the motion may be as long as `increments` of the `half` increments of
  * a stroke. */
 static int divides(const arc_wear_def *def, int half, int increments) {
-  enum { fewest = 8 }; /* cells of a stroke */
   return def->blocks == 0 && def->increments == 0 && half % (2 * increments) == 0 &&
          half / increments >= fewest;
 }
@@ -54,8 +63,8 @@ static int can_double(const arc_wear *w, const arc_halfspace_def *cells) {
  * contact, and at least for the present window. */
 static int doubled(int n, double half_width, double size) {
   static const double margin = 1.15;
-  const int same = 2 * ((n + 1) / 4) + 1, room = 2 * (int)(margin * half_width / size) + 1;
-  return room > same ? room : same;
+  const int same = 2 * ((n + 1) / 4) + 1, needed = 2 * (int)(margin * half_width / size) + 1;
+  return needed > same ? needed : same;
 }
 
 /* Returns the half width [mm] above which cells of a size are doubled, for the half width of the
@@ -74,9 +83,9 @@ int arc_space_coarsen(const arc_wear *w, arc_halfspace_def *cells) {
   const arc_hertz_ellipse hertz = arc_space_hertz(model, w->def.load);
   const double cell = arc_space_cell(model, w->def.load),
                unworn = space_along(s, hertz.half_width, hertz.half_width_z),
-               unworn_z = hertz.half_width + hertz.half_width_z - unworn,
+               unworn_z = space_along(s, hertz.half_width_z, hertz.half_width),
                along = space_along(s, last->half_width, last->half_width_z),
-               across = last->half_width + last->half_width_z - along;
+               across = space_along(s, last->half_width_z, last->half_width);
   const int beyond = cells->track - cells->nx;
   const int by_x = along > limit(unworn, cell, cells->size_x) && can_double(w, cells),
             by_z = across > limit(unworn_z, cell, cells->size_z);

@@ -166,9 +166,7 @@ int arc_space_increments(const arc_wear_def *def, const arc_model_def *model) {
   if (def->tangential > 0) return of_slip;
   const int rubs = arc_wear_has_friction(def), fewest = rubs ? of_slip : 4;
   const double cells = def->stroke / arc_space_cell(model, def->load);
-  const int follows = arc_space_follows(def, model);
-  double unit = 2;
-  while (follows && unit < most && cells >= 8 * unit) unit *= 2;
+  const double unit = arc_space_stroke_unit(def, model, cells);
   const double half = unit * fmax(round(cells / unit), ceil(cells / unit / wider));
   return 2 * (int)fmin(fmax(fewest / 2, half), most);
 }

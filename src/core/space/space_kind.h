@@ -138,6 +138,9 @@ arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *
 /* Returns true if the cells of a run follow its contact: they were chosen by default, and neither
  * roughness, layers nor the edge of a stick zone must be resolved. */
 int arc_space_follows(const arc_wear_def *def, const arc_model_def *model);
+/* Returns the number of which the automatic number of cells of a stroke is a multiple: 2, or more
+ * if so many cells can be doubled, once or several times. `cells` is their usual number. */
+double arc_space_stroke_unit(const arc_wear_def *def, const arc_model_def *model, double cells);
 /* Writes to `cells` the cells of a run, doubled along each axis along which the contact has become
  * so wide that doubled cells still resolve it better than the first cells resolved the unworn
  * contact. Returns true if any were doubled. */
