@@ -158,19 +158,13 @@ static void show_mesh(const arc_wear *wear, char *text, size_t size) {
     return;
   }
   const int n = arc_space_given_sites(arc_wear_shape(wear), ARC_UPPER, &x, &z);
-  /* The sites of a row are at the same position along the motion, which is along x or z. */
-  const int turned = n > 1 && x[1] != x[0];
-  const double *motion = turned ? z : x, *other = turned ? x : z;
-  int columns = 1;
-  while (columns < n && motion[columns] == motion[0]) columns++;
-  const int rows = n / columns;
-  const double along = rows > 1 ? motion[columns] - motion[0] : 0,
-               across = columns > 1 ? other[1] - other[0] : 0;
-  if (rows > 1)
-    snprintf(text, size, "%d x %d cells of %.4g x %.4g mm", turned ? columns : rows,
-             turned ? rows : columns, turned ? across : along, turned ? along : across);
-  else
-    snprintf(text, size, "a groove, %d cells of %.4g mm", columns, across);
+  int nx = 0, nz = 0;
+  for (int i = 0; i < n; i++) {
+    nx += z[i] == z[0];
+    nz += x[i] == x[0];
+  }
+  snprintf(text, size, "%d x %d cells of %.4g x %.4g mm", nx, nz, (x[n - 1] - x[0]) / (nx - 1),
+           (z[n - 1] - z[0]) / (nz - 1));
 }
 
 /* Adds lines that describe the bodies: shapes, materials, layers and mesh. */
