@@ -138,27 +138,33 @@ static int fades(int from, int to, const double *x, double *peak) {
   return largest <= negligible * *peak;
 }
 
-ARC_WIDE static void band_forward(int from, int to, int band, const double *restrict l,
-                                  double *restrict x) {
+/* Solves row j of a triangular band system. `row` is row j of x, and `others` the `count` rows that
+ * are already solved, `step` doubles apart, the farthest first. `l` are their entries of the
+ * factor, `stride` apart. All sums of a row remain in registers. */
+static inline void solve_row(int count, const double *l, ptrdiff_t stride, const double *others,
+                             ptrdiff_t step, double scale, double *row) {
+  double v[sides];
+  ARC_UNROLL for (int c = 0; c < sides; c++) v[c] = row[c];
+  for (int i = 0; i < count; i++, l += stride, others += step) {
+    ARC_UNROLL for (int c = 0; c < sides; c++) v[c] -= *l * others[c];
+  }
+  ARC_UNROLL for (int c = 0; c < sides; c++) row[c] = v[c] * scale;
+}
+
+ARC_WIDE static void band_forward(int from, int to, int band, const double *l, double *x) {
   for (int j = from; j < to; j++) {
-    const double *column = &l[dense_at(0, j, band + 1)], scale = 1 / column[0];
-    double *at = &x[(size_t)sides * (size_t)j], v[sides];
-    for (int c = 0; c < sides; c++) v[c] = at[c] * scale;
-    for (int c = 0; c < sides; c++) at[c] = v[c];
-    for (int i = 1; i <= band; i++)
-      for (int c = 0; c < sides; c++) at[sides * i + c] -= column[i] * v[c];
+    const int count = least(band, j);
+    solve_row(count, &l[dense_at(count, j - count, band + 1)], band, &x[sides * (j - count)], sides,
+              1 / l[dense_at(0, j, band + 1)], &x[sides * j]);
   }
 }
 
-ARC_WIDE static void band_backward(int from, int to, int band, const double *restrict l,
-                                   double *restrict x) {
+ARC_WIDE static void band_backward(int from, int to, int n, int band, const double *l, double *x) {
   for (int j = to - 1; j >= from; j--) {
-    const double *column = &l[dense_at(0, j, band + 1)], scale = 1 / column[0];
-    double *at = &x[(size_t)sides * (size_t)j], v[sides];
-    for (int c = 0; c < sides; c++) v[c] = at[c];
-    for (int i = band; i > 0; i--)
-      for (int c = 0; c < sides; c++) v[c] -= column[i] * at[sides * i + c];
-    for (int c = 0; c < sides; c++) at[c] = v[c] * scale;
+    const double *column = &l[dense_at(0, j, band + 1)];
+    const int count = least(band, n - 1 - j);
+    solve_row(count, &column[count], -1, &x[sides * (j + count)], -sides, 1 / column[0],
+              &x[sides * j]);
   }
 }
 
@@ -172,12 +178,11 @@ void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from
     over = fades(j, end, x, &peak) && end >= *to;
     j = end;
   }
-  memset(&x[(size_t)sides * (size_t)j], 0, (size_t)(sides * band) * sizeof *x);
   *to = j;
   over = 0;
   for (double peak = 0; j > 0 && !over;) {
     const int start = j - least(j, band + 1);
-    band_backward(start, j, band, l, x);
+    band_backward(start, j, n, band, l, x);
     over = fades(start, j, x, &peak) && start <= *from;
     j = start;
   }

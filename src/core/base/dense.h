@@ -20,9 +20,8 @@ void arc_dense_forward(int n, int count, const double *l, int ld, double *b, int
 int arc_dense_band_cholesky(int n, int band, double *a);
 /* Replaces x by A^-1 x for ARC_DENSE_BAND_SIDES right-hand sides, where A is the band matrix with
  * the factor l. Row i of right-hand side c is x[i * ARC_DENSE_BAND_SIDES + c]. On entry, all rows
- * except *from .. *to - 1 must be zero. The array x has `band` additional rows after the last one.
- * On return, rows *from .. *to - 1 contain all values of the solution above rounding errors, and
- * all other rows are zero. */
+ * except *from .. *to - 1 must be zero. On return, rows *from .. *to - 1 contain all values of the
+ * solution above rounding errors, and all other rows are zero. */
 enum { ARC_DENSE_BAND_SIDES = 16 };
 void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from, int *to);
 

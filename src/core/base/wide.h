@@ -15,4 +15,12 @@
 #define ARC_WIDE
 #endif
 
+/* ARC_UNROLL, before a loop of at most 16 passes, unrolls the loop, so that arrays of this length
+ * remain in registers. */
+#if defined(__GNUC__) && !defined(__clang__)
+#define ARC_UNROLL _Pragma("GCC unroll 16")
+#else
+#define ARC_UNROLL
+#endif
+
 #endif

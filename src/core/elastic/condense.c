@@ -55,7 +55,7 @@ static arc_status condensation_create(const elastic_body *b, condensation *c) {
   *c = (condensation){.ni = 2 * b->inner, .nr = 2 * b->rim, .ns = b->mesh->surface};
   const size_t ni = (size_t)c->ni, nr = (size_t)c->nr, n = 2 * (size_t)c->ns;
   c->band = calloc((size_t)(b->band + 1) * ni, sizeof(double));
-  c->side = calloc((ni + (size_t)b->band) * together, sizeof(double));
+  c->side = calloc(ni * together, sizeof(double));
   c->t = malloc(nr * nr * sizeof(double));
   c->w = calloc(nr * n, sizeof(double));
   c->first = malloc(n * sizeof(int));
