@@ -19,7 +19,7 @@ local approach = math.sqrt(100 / (math.pi * 10 * K))
 local w = run()
 near(w.p_center, K * approach, 1e-3, "pressure at the centre of the ball")
 near(w.half_width, math.sqrt(2 * 10 * approach), 0.03, "radius of the contact")
-ok(tostring(m):find("springs 1 mm thick", 1, true), "print of a model with springs: " .. tostring(m))
+ok(tostring(m):find("thickness 1 mm, springs", 1, true), "print of a model with springs: " .. tostring(m))
 
 -- --- wear ------------------------------------------------------------------------------------------
 w:run()

@@ -2,6 +2,8 @@
 #include "archard/model.h"
 #include "archard/space.h"
 
+#include "core/pair/kind.h"
+
 #include <math.h>
 
 #define ARC_SETTING_OF arc_hertz_def
@@ -50,9 +52,9 @@ static arc_status solve_ellipse(const arc_hertz_def *d, arc_hertz *hertz, arc_er
 arc_status arc_hertz_of(const arc_hertz_def *def, arc_hertz *hertz, arc_error *error) {
   const arc_status status = arc_settings_check(arc_hertz_settings, "", def, error);
   if (status != ARC_OK) return status;
-  if (def->geometry == ARC_SPRINGS)
-    return arc_fail(error, ARC_ARGUMENT,
-                    "field 'geometry': Hertz' formulas are not valid for springs");
+  if (!arc_kind_of(&(arc_model_def){.geometry = def->geometry})->elastic)
+    return arc_fail(error, ARC_ARGUMENT, "field 'geometry': Hertz' formulas are not valid for %s",
+                    arc_space_names[def->geometry]);
   hertz->E_star = arc_contact_modulus(def->geometry, def->material);
   if (def->geometry != ARC_SPATIAL && def->radius_z > 0)
     return arc_fail(error, ARC_ARGUMENT,

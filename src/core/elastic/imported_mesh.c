@@ -4,6 +4,8 @@
 #include "core/elastic/chart.h"
 #include "core/elastic/pair.h"
 
+#include "core/pair/kind.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -205,8 +207,9 @@ arc_status arc_given_settle(const arc_model_def *def, arc_mesh *const given[ARC_
                             arc_model_def *settled, arc_error *error) {
   *settled = fit_to(def, given);
   arc_status status = arc_settings_check(arc_model_settings, "", settled, error);
-  if (status == ARC_OK && def->geometry == ARC_SPRINGS)
-    status = arc_fail(error, ARC_ARGUMENT, "field 'geometry': springs have no meshes");
+  if (status == ARC_OK && !arc_kind_of(def)->mesh)
+    status = arc_fail(error, ARC_ARGUMENT, "field 'geometry': bodies in \"%s\" have no meshes",
+                      arc_space_names[def->geometry]);
   if (status == ARC_OK) status = arc_model_check_given_pair(settled, error);
   for (int b = 0; status == ARC_OK && b < ARC_BODIES; b++) {
     status = arc_given_check_shape(def, (arc_body)b, error);

@@ -52,6 +52,7 @@ typedef struct arc_kind {
       const arc_model *model,
       arc_body body); /* returns the mesh of a body; NULL: the kind has no meshes */
 
+  int elastic; /* true if displacements follow from the moduli of the materials */
   int maps; /* true if surfaces are height maps over x and z. Each contact and run then chooses its
                own cells. */
 

@@ -232,6 +232,7 @@ static const arc_growth growth = {
 
 const arc_kind arc_plane_kind = {
     .name = "plane",
+    .elastic = 1,
     .check_model = arc_elastic_check,
     .build = arc_elastic_build,
     .end_model = arc_elastic_destroy,

@@ -260,6 +260,7 @@ static const arc_growth growth = {
 
 const arc_kind arc_space_kind = {
     .name = "space",
+    .elastic = 1,
     .maps = 1,
     .check_model = arc_space_check_model,
     .build = arc_space_build,

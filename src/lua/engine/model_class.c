@@ -241,8 +241,8 @@ arc_model *model_push_wider(lua_State *L, const arc_model *model, const char *wh
   args_get(L, 1, "model");
   const int object = box_test(L, -1, &model_class) != NULL;
   lua_pop(L, 1);
-  if (!object || arc_model_is_given(model) || arc_model_has_maps(&def)) return NULL;
-  if (def.geometry == ARC_SPRINGS || zones(definition, &def, needed, NULL) != ARC_OK) return NULL;
+  if (!object || arc_model_is_given(model) || !arc_model_mesh(model, ARC_UPPER)) return NULL;
+  if (zones(definition, &def, needed, NULL) != ARC_OK) return NULL;
   for (int b = 0; b < ARC_BODIES; b++) {
     before[b] = def.mesh.zone[b];
     needed[b] = fmax(needed[b], before[b]);
@@ -314,10 +314,10 @@ static int model_bodies(lua_State *L) {
 }
 
 const char *model_show_space(const arc_model_def *def, char *text, size_t size) {
-  snprintf(text, size, "thickness %.6g mm%s", def->thickness,
-           def->geometry == ARC_PLANE_STRESS ? ", plane stress" : "");
+  const int usual = def->geometry == ARC_PLANE_STRAIN;
+  snprintf(text, size, "thickness %.6g mm%s%s", def->thickness, usual ? "" : ", ",
+           usual ? "" : arc_space_names[def->geometry]);
   if (def->geometry == ARC_AXISYMMETRIC) snprintf(text, size, "axisymmetric");
-  if (def->geometry == ARC_SPRINGS) snprintf(text, size, "springs %.6g mm thick", def->thickness);
   if (def->axis > 0) snprintf(text, size, "axisymmetric about x = %.6g mm", -def->axis);
   return text;
 }
