@@ -239,8 +239,8 @@ convert units to mm. A trace is a text file with two columns; the first line has
 
 To compare a run with a measured scar:
 
-  p = profile.read("trace.csv"):depth()    -- below a line beside the scar
-  print(p:volume().area, w.volume.plate)   -- mm2 of the section, mm3
+  p = profile.read("trace.csv"):depth()    -- depths below the unworn surface
+  print(p:volume().area, w.volume.plate)   -- area [mm2], volume [mm3]
   plot.profile(w, "plate", { measured=p })
 
 To start a run with measured surfaces:

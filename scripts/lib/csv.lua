@@ -101,7 +101,7 @@ end
 
 local function read_columns(path)
   local lines = lines_of(path)
-  if not lines[1] then refuse(path, nil, "expected a line of names, the file is empty") end
+  if not lines[1] then refuse(path, nil, "expected a line with the names of the columns, but the file is empty") end
   local separator = separator_of(lines[1][2])
   local columns = names_of(path, lines[1][1], lines[1][2], separator)
   for i, header in ipairs(columns) do columns[i] = column_of(header) end

@@ -114,7 +114,7 @@ end
 
 local longest = 10000 -- [bytes] longer texts are not searched for hints; the duration grows with the square of the length
 
--- Returns a hint for a text that is not Lua, with Lua's error message, or "".
+-- Returns a hint for a text that is not valid Lua, or "". `message` is Lua's error message.
 local function hint_for(text, message)
   if #text > longest then return "" end
   local word = text:match "^%s*help%s+([%w_.:{}]+)%s*$"

@@ -62,8 +62,8 @@ function outcomes.is_sample(study, number)
   return not study.sample.indices or (number - 1) % (#study.sample.fields + 2) < 2
 end
 
--- Returns a list with true for each used row, and the number of failed cases. With indices, a row is used
--- only if all cases of its point are finished.
+-- Returns a list that is true at each row with a usable result, and the number of failed cases. For indices of
+-- sensitivity, the cases of a sample point are used only if all of them are finished.
 local function counted(study, rows)
   local kept, group, left_out = {}, study.sample.indices and #study.sample.fields + 2 or 1, 0
   for first = 1, #rows, group do

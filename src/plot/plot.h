@@ -1,13 +1,13 @@
 /* archard/plot.h - figures drawn by gnuplot.
  * Declares sessions with a gnuplot child process (arc_gnuplot), and figures made of arrays of
- * doubles (arc_plot_figure). The functions print nothing: a picture in characters is returned to
- * the caller.
+ * doubles (arc_plot_figure). The functions print nothing: a picture made of characters is returned
+ * to the caller.
  *
- * Texts are UTF-8, and no character in them has a special meaning for gnuplot. They are shown
- * unchanged, except for these forms: \alpha is the Greek letter. In pictures of pixels the
- * characters after a single letter and _ (p_H, \alpha_c) are subscripts, digits after ^ (mm^2,
- * 10^-8) are superscripts, and 5e-08 is written as a power of ten. The arrays and texts of a figure
- * belong to the caller and are only read. */
+ * Texts are UTF-8. They are shown unchanged, with these exceptions: \alpha and other names of Greek
+ * letters become the letters. In all pictures that are not made of characters, the characters after
+ * a single letter and _ (p_H, \alpha_c) become subscripts, digits after ^ (mm^2, 10^-8) become
+ * superscripts, and 5e-08 becomes a power of ten. The arrays and texts of a figure belong to the
+ * caller and are only read. */
 #ifndef ARCHARD_PLOT_H
 #define ARCHARD_PLOT_H
 

@@ -210,7 +210,7 @@ for name in pairs(rows_of_bodies) do ok(tried_rows[name], "body." .. name .. " i
 local grid = {}
 for i = 1, 8 do grid[i] = 0.1 * i end
 local waved = map{ x = grid, z = grid, y = function(x, z) return 1e-3 * math.cos(x) * math.cos(z) end }
-local beside = { -- each row: a setting, and other fields that it requires or excludes
+local beside = { -- each row: a setting, and the other fields of a valid definition with it
   model = {
     axis = { geometry = "axisymmetric", axis = 40 },
     periodic = { geometry = "3-D", upper = body.map{ y = waved }, lower = body.block{}, mesh = {} },

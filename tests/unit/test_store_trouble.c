@@ -326,7 +326,7 @@ static void test_merge(void **state) {
   make_share("stranger", 2, 0.25, wear);
   make_share("joined", 0, 0.5, wear);
   arc_store *store = opened("joined", ARC_STORE_WRITE);
-  save_run(store, 2, other); /* this case was stored in part by a program that was killed */
+  save_run(store, 2, other); /* as if a killed program had stored only a part of this case */
   must(arc_store_merge(store, in_folder("share 1"), &error), &error);
   assert_int_equal(arc_store_merge(store, in_folder("stranger"), &error), ARC_ARGUMENT);
   assert_non_null(strstr(error.message, "different studies"));

@@ -80,8 +80,9 @@ for _, pair in ipairs{ { "steel on steel", steel, steel }, { "steel on nu = .499
   end
 end
 
--- Tests second-order convergence against the finest mesh: the stress along the surface at and near the
--- centre, and the largest von Mises stress, as root mean squares over the same loads and both bodies [MPa].
+-- Tests that errors relative to the finest mesh decrease with the square of the element size. Two errors are
+-- tested, each a root mean square over all loads and both bodies [MPa]: that of the stress along the surface at
+-- and near the centre, and that of the largest von Mises stress.
 local models = {}
 local function figures_at(size, load)
   models[size] = models[size] or model{ mesh = { size = size, height = 1.25 * size } }

@@ -30,7 +30,7 @@ typedef struct contact_problem {
   int nc, np;      /* numbers of surface nodes of cylinder and plate */
   int lo, count;   /* candidates are the cylinder nodes lo .. lo + count - 1 */
   int width;       /* row length of B */
-  int *first;      /* [nc] first plate node of each row of B, by candidate */
+  int *first;      /* [nc] for each candidate, the first plate node of its row of B */
   double *b;       /* [nc * width] rows of B */
   double *wc, *wp; /* [nc], [np] tributary widths along x [mm] */
   double *slope;   /* [nc] slope dy/dx of the plate's surface at each candidate, 0 at other nodes;

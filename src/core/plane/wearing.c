@@ -135,9 +135,9 @@ static int open_layer(const shape_side *side, int i) {
   return arc_body_stratum(side->body, i, n).layer;
 }
 
-/* Returns the compliance of the exposed layer minus the compliance of the body's material below
- * all layers, per mm of depth [1/MPa]. The result is the largest absolute value over all worn
- * nodes or, before any wear, over all nodes. */
+/* Returns the difference between the compliances of the exposed layer and of the body's material
+ * below all layers, per mm of depth [1/MPa]. The result is the largest absolute difference at a
+ * worn node or, before any wear, at any node. */
 static double softness(const arc_wear *w, arc_body body) {
   const shape_side *side = &w->shape->side[body];
   const elastic_body *b = side->body;

@@ -245,7 +245,7 @@ arc_status arc_space_contact_stress(const arc_contact *contact, arc_body body, d
                     arc_body_name(body));
   if (c->rubbing.pressure)
     return arc_fail(error, ARC_ARGUMENT,
-                    "stresses below a contact with friction in 3-D: expected friction 0, as "
+                    "stresses in 3-D: expected a contact without friction, got one with friction: "
                     "stresses caused by shear are not computed");
   if (space_turned(space_shape_of(c->handle.shape)))
     return arc_fail(error, ARC_ARGUMENT,

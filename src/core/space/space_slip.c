@@ -249,9 +249,9 @@ static arc_status check_stick(const slip_cycle *c, arc_error *error) {
       c->rate->shear, c->rate->shear / (c->v->mu * c->block->line[1]));
 }
 
-/* Computes a cycle of like bodies with one increment per leg. The first increment covers half of
- * the motion or force. A whole leg has twice the shear and slip of this increment, because both are
- * proportional to the motion. */
+/* Computes a cycle of bodies of equal elasticity with one increment per leg. The first increment is
+ * half of a leg. Shear and slip are proportional to the motion or force, so those of a whole leg
+ * are twice as large. */
 static arc_status single(slip_cycle *c, arc_halfspace_friction *state, arc_error *error) {
   const wear_block *b = c->block;
   arc_halfspace_increment to = arc_slip_conditions(c, 1, 1);

@@ -124,7 +124,7 @@ arc_status arc_gait_named(const char *name, int n, double angle, double load,
   while (gait < GAITS && strcmp(names[gait], name) != 0) gait++;
   if (gait == GAITS)
     return arc_fail(error, ARC_ARGUMENT,
-                    "expected a gait \"iso\", \"prosim\", \"flexion\" or \"rocking\", got \"%s\"",
+                    "expected the gait \"iso\", \"prosim\", \"flexion\" or \"rocking\", got \"%s\"",
                     name);
   if (n < 1)
     return arc_fail(error, ARC_ARGUMENT, "field 'increments': expected at least 1, got %d", n);

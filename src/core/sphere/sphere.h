@@ -66,7 +66,7 @@ static inline int sphere_site(const arc_joint *j, int cell) {
 
 /* Sets the number of rows of the window and discards the initial pressures. Error: ARC_MEMORY. */
 arc_status arc_sphere_open(arc_joint *j, int size, arc_error *error);
-/* Sets the number of instants with initial pressures, which are all set to 0. Error: ARC_MEMORY. */
+/* Allocates the initial pressures of `instants` instants and sets them to 0. Error: ARC_MEMORY. */
 arc_status arc_sphere_make_kept(arc_joint *j, int instants, arc_error *error);
 /* Restores an earlier state of this joint. A window that has grown since then retains its size, and
  * the initial pressures are discarded. */

@@ -148,7 +148,8 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   b->periodic = 1;
   b->cycles = INFINITY;
   b->repeat = over && back ? 0.5 : over || back ? 1 : 2;
-  if (has_friction) b->press = half + (half + 1) / 2; /* at this point x is about 0 */
+  if (has_friction)
+    b->press = half + (half + 1) / 2; /* the increment of the return stroke at which x is about 0 */
   b->load = def->load;
   finish(b, def, model, m);
   /* number of strokes times stroke, without the rounding errors of the sum over increments */
