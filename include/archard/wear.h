@@ -264,7 +264,7 @@ typedef struct arc_loading {
         "Order of the implicit scheme. 1: an update uses the pressures at its end (backward "      \
         "Euler). 2: it uses the pressures at its start, at an intermediate stage and at its end "  \
         "(TR-BDF2).")                                                                              \
-  WHOLE(workers, "", 1, WITHIN(1, 64), ARC_FIXED,                                                  \
+  WHOLE(workers, "", 1, WITHIN(1, 64), 0,                                                          \
         "Number of threads among which the positions of a stroke are divided in 3-D. Results are " \
         "the same to the bit for any number of threads.")                                          \
   NUMBER(                                                                                          \

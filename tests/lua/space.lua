@@ -103,6 +103,13 @@ local alone = run{ distance = 50 }
 shared:run()
 alone:run()
 ok(same(shared, alone), "four workers give identical bits")
+local changed, unchanged = run{ distance = 50 }, run{ distance = 50 }
+for _, half in ipairs{ changed, unchanged } do half:run{ distance = 25 } end
+changed:set{ workers = 2 }
+is(changed.workers, 2, "w:set{ workers }")
+for _, half in ipairs{ changed, unchanged } do half:run{ distance = 50 } end
+ok(same(changed, unchanged), "workers changed in a run give identical bits")
+is(wear{ model = m, worn = changed, distance = 5, load = 10, workers = 3 }.workers, 3, "workers of a run on worn surfaces")
 
 local staged = run{ scheme = "explicit" }
 staged:run()

@@ -141,7 +141,7 @@ arc_status arc_space_regrow(const space_shape *from, const arc_halfspace_def *ce
 }
 
 /* Creates the initial surfaces of a run from worn surfaces. The cells are unchanged. The track is
- * extended if necessary. */
+ * extended if necessary, and the threads are those of the run. */
 static arc_status take_over(arc_model *model, const arc_wear_def *def, const arc_shape *from,
                             arc_shape **shape, arc_error *error) {
   const space_shape *worn = space_shape_of(from);
@@ -160,9 +160,10 @@ static arc_status take_over(arc_model *model, const arc_wear_def *def, const arc
                     arc_slide_names[cells.turned]);
   const double margin = (wanted.track - wanted.nx) * wanted.size_x;
   const int beyond = 2 * (int)ceil(margin / 2 / cells.size_x - 1e-9);
-  if (cells.groove > 0 || cells.track >= cells.nx + beyond)
-    return arc_space_copy(from, shape, error);
-  cells.track = cells.nx + beyond;
+  const int contains = cells.groove > 0 || cells.track >= cells.nx + beyond;
+  if (contains && cells.workers == wanted.workers) return arc_space_copy(from, shape, error);
+  if (!contains) cells.track = cells.nx + beyond;
+  cells.workers = wanted.workers;
   return arc_space_regrow(worn, &cells, (space_shape **)(void *)shape, error);
 }
 
