@@ -271,8 +271,16 @@ fails(function() body.cup{ clearance = 0.1 } end, "joint{", "a cup as a body of 
 
 warnings.keep()
 contact{ model = { geometry = "3-D", upper = body.ball{ radius = 0.5 }, lower = body.block{} }, load = 500 }
-ok((warnings.take() or ""):find("0.24 of the radius 0.5 mm: half-spaces are accurate up to 0.2", 1, true),
+ok((warnings.take() or ""):find("along x is 0.24 of the radius 0.5 mm: half-spaces are accurate up to 0.2", 1, true),
   "a contact too large for half-spaces gives a warning")
+do
+  local at = {}
+  for i = -40, 40 do at[#at + 1] = 0.1 * i end
+  local groove = _G.map{ x = at, z = at, y = function(_, z) return z * z / 26 end }
+  contact{ model = { geometry = "3-D", upper = body.ball{ radius = 10 }, lower = body.map{ y = groove } }, load = 16000 }
+  ok((warnings.take() or ""):find("along z is 0.21 of the radius 10 mm: half-spaces", 1, true),
+    "a contact in a groove that is wide only across it gives a warning")
+end
 
 -- --- thin coatings, warnings for coarse cells ---------------------------------------------------------
 local coat = body.block{ layers = { { thickness = 0.001, E = 400e3 } } }

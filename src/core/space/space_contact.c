@@ -150,7 +150,8 @@ static arc_status finish(space_contact *c, arc_status status, const arc_callback
     const space_shape *s = space_shape_of(c->handle.shape);
     *result = (arc_contact *)(void *)c;
     arc_space_warn(arc_model_definition(arc_shape_model(c->handle.shape)),
-                   arc_halfspace_definition(s->grid->h), c->handle.result.half_width, callbacks);
+                   arc_halfspace_definition(s->grid->h), c->handle.result.half_width,
+                   c->handle.result.half_width_z, callbacks);
   } else if (c) {
     arc_space_end_contact((arc_contact *)(void *)c);
   }

@@ -42,7 +42,8 @@ static arc_status check_reach(arc_wear *w, arc_error *error) {
 static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) {
   const arc_halfspace_def *d = arc_halfspace_definition(space_shape_of(w->shape)->grid->h);
   const arc_model_def *model = arc_model_definition(w->model);
-  if (unworn) arc_space_warn(model, d, arc_wear_last(w)->half_width, callbacks);
+  const arc_wear_record *last = arc_wear_last(w);
+  if (unworn) arc_space_warn(model, d, last->half_width, last->half_width_z, callbacks);
   if (unworn) arc_space_warn_slip(&w->def, model, d->size_x, callbacks);
 }
 
@@ -70,10 +71,13 @@ static int warn_short(const arc_wear *w, int given, const arc_callbacks *callbac
 /* Warns of limits of the half-spaces that wear has crossed. */
 static int warn_late(const arc_wear *w, int given, const arc_callbacks *callbacks) {
   const arc_model_def *model = arc_model_definition(w->model);
+  const arc_wear_record *first = w->history, *last = arc_wear_last(w);
   given = warn_short(w, given, callbacks);
-  if (given & STEEP || arc_space_warn_steep(model, w->history[0].half_width, NULL)) return given;
-  return arc_space_warn_steep(model, arc_wear_last(w)->half_width, callbacks) ? given | STEEP
-                                                                              : given;
+  if (given & STEEP || arc_space_warn_steep(model, first->half_width, first->half_width_z, NULL))
+    return given;
+  return arc_space_warn_steep(model, last->half_width, last->half_width_z, callbacks)
+             ? given | STEEP
+             : given;
 }
 
 /* --- surfaces --------------------------------------------------------------------------------- */

@@ -99,14 +99,15 @@ arc_status arc_space_extend_cells(const arc_model_def *def, int rows, int beyond
                                   arc_halfspace_def *cells, arc_error *error);
 /* Returns the cell width of the model [mm]: mesh.size, or else a default for the load [N]. */
 double arc_space_cell(const arc_model_def *def, double load);
-/* Returns 1 and, unless callbacks is NULL, warns if the half width of a contact [mm] is too large
- * for the half-space approximation; otherwise returns 0. */
-int arc_space_warn_steep(const arc_model_def *def, double half_width,
+/* Returns 1 and, unless callbacks is NULL, warns if a half width of a contact along x or z [mm] is
+ * too large for the half-space approximation; otherwise returns 0. */
+int arc_space_warn_steep(const arc_model_def *def, double half_x, double half_z,
                          const arc_callbacks *callbacks);
-/* Warns if the half width of a contact [mm] is too large for the half-space approximation or the
- * cells, or if the cells are wider than the steps of a map. */
+/* Warns if the half widths of a contact along x and z [mm] are too large for the half-space
+ * approximation, if the half width along x is too small for the cells, or if the cells are wider
+ * than the steps of a map. */
 void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, double half_width,
-                    const arc_callbacks *callbacks);
+                    double half_z, const arc_callbacks *callbacks);
 
 /* --- space_periodic.c ------------------------------------------------------------------------- */
 /* Checks the bodies of a model with periodic = true. arc_space_check_periodic_run checks a run

@@ -294,38 +294,50 @@ arc_status arc_space_extend_cells(const arc_model_def *def, int rows, int beyond
   return check_larger(def, before, cells, error);
 }
 
-int arc_space_warn_steep(const arc_model_def *def, double half_width,
+/* Returns the largest curvature along each axis [1/mm]: of a body, or the relative curvature. */
+static void largest_curvatures(const arc_model_def *def, double *x, double *z) {
+  find_curvatures(def, x, z);
+  for (int b = 0; b < ARC_BODIES; b++) {
+    double of_x, of_z;
+    body_curvatures(def, (arc_body)b, &of_x, &of_z);
+    *x = fmax(*x, fabs(of_x));
+    *z = fmax(*z, fabs(of_z));
+  }
+}
+
+int arc_space_warn_steep(const arc_model_def *def, double half_x, double half_z,
                          const arc_callbacks *callbacks) {
   static const double small =
       0.2; /* ratio of half width to radius above which slopes are no longer small */
   double x, z;
   if (def->periodic) return 0;
-  find_curvatures(def, &x, &z);
-  const double least = 1 / x;
-  if (!(half_width > small * least)) return 0;
+  largest_curvatures(def, &x, &z);
+  const int along = half_x * x >= half_z * z;
+  const double half = along ? half_x : half_z, curvature = along ? x : z;
+  if (!(half * curvature > small)) return 0;
   if (callbacks)
     arc_warn(callbacks,
-             "the contact's half width %.3g mm is %.2g of the radius %.3g mm: half-spaces are "
-             "accurate up to %g of it, and beyond that pressures and depths are estimates",
-             half_width, half_width / least, least, small);
+             "the contact's half width %.3g mm along %s is %.2g of the radius %.3g mm: half-spaces "
+             "are accurate up to %g of it, and beyond that pressures and depths are estimates",
+             half, along ? "x" : "z", half * curvature, 1 / curvature, small);
   return 1;
 }
 
 void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, double half_width,
-                    const arc_callbacks *callbacks) {
+                    double half_z, const arc_callbacks *callbacks) {
   const double fewest = 4;          /* smallest number of cells in the half width */
   static const double coarse = 1.5; /* largest ratio of the cell width to the step of a map */
   if (def->periodic) return;
-  arc_space_warn_steep(def, half_width, callbacks);
+  arc_space_warn_steep(def, half_width, half_z, callbacks);
   if (half_width < fewest * cells->size_x)
     arc_warn(callbacks,
              "the contact's half width %.3g mm has fewer than %g cells of %.3g mm: use mesh.size = "
              "\"auto\" or a smaller one",
              half_width, fewest, cells->size_x);
   for (int b = 0; b < ARC_BODIES; b++) {
-    double half_x, half_z, step;
+    double x, z, step;
     if (!arc_body_is_map(&def->body[b])) continue;
-    arc_body_map_extent(&def->body[b], &half_x, &half_z, &step);
+    arc_body_map_extent(&def->body[b], &x, &z, &step);
     if (cells->size_x > coarse * step)
       arc_warn(callbacks,
                "cells of %.3g mm are wider than the steps of the %s body's map, %.3g mm: finer "
