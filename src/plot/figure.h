@@ -65,6 +65,8 @@ typedef struct arc_ticks {
   double low, high; /* first and last tick of a linear axis, in units of `step` */
 } arc_ticks;
 
+/* --- ticks.c ---------------------------------------------------------------------------------- */
+
 /* Returns the number of decimals of tick labels at multiples of `step`: 2 for the step 0.05, 0 for
  * steps from 1 on, and 0 for the step 0 (gnuplot chooses the ticks). */
 int arc_ticks_fraction(double step);
@@ -76,25 +78,14 @@ arc_ticks arc_ticks_up(const arc_plot_axis *axis, double from, double to, double
 arc_ticks arc_ticks_across(const arc_plot_axis *axis, double from, double to, double most,
                            double columns);
 
+/* Returns a round step for about `levels` contour lines in a range. Contour lines are at multiples
+ * of the step. */
+double arc_field_step(const double range[2], int levels);
+
+/* --- look.c ----------------------------------------------------------------------------------- */
+
 /* Returns the largest length of a line in a panel's title [characters]. */
 double arc_panel_columns(const arc_writer *w);
-
-/* Computes the number of rows and columns of the grid of panels. By default the grid is about
- * square. */
-void arc_plot_grid(const arc_plot_figure *figure, int *rows, int *columns);
-
-/* Chooses the canvas of an output from the terminals of the running gnuplot, or from all known
- * terminals if `session` is NULL. Errors: ARC_ARGUMENT for an invalid file name, ARC_MISSING if no
- * terminal is suitable. */
-arc_status arc_canvas_choose(const arc_plot_figure *figure, const arc_plot_output *output,
-                             const arc_gnuplot *session, arc_canvas *canvas, arc_error *error);
-
-/* Writes the command that sets the terminal. `animation` has additional options of the terminal, or
- * is "". */
-void arc_canvas_command(const arc_canvas *canvas, const char *animation, arc_text *script);
-
-/* Writes the commands of a figure that has been checked. */
-void arc_plot_commands(const arc_plot_figure *figure, const arc_canvas *canvas, arc_text *script);
 
 /* These functions write the command `before`, a quoted text of the user, and `after`.
  * arc_writer_words writes the user's text unchanged and is used for names. arc_writer_label shows
@@ -108,21 +99,6 @@ void arc_writer_title(arc_writer *w, const char *before, const char *words, doub
                       const char *after);
 int arc_title_lines(const char *words, double columns);
 
-/* Writes the ticks of the axis `name` ("x" or "y") with the words of `axis`, or with numbers if
- * `axis` has no words (tick_words.c). */
-void arc_ticks_write(arc_writer *w, const char *name, const arc_plot_axis *axis, arc_ticks ticks);
-
-/* Writes the ticks of the colour scale at multiples of `step`. With the step 0 gnuplot chooses the
- * ticks. */
-void arc_ticks_of_scale(arc_writer *w, double step);
-
-/* These functions are for titles that are written beside the frame, at the ends of the curves.
- * arc_labels_width returns the width of the titles [characters], arc_labels_write writes the
- * titles. */
-double arc_labels_width(const arc_plot_panel *panel);
-void arc_labels_write(arc_writer *w, const arc_plot_panel *panel, const arc_plot_box *box,
-                      double rows);
-
 /* Computes the range of the colour scale of curves: their smallest and largest values. If the user
  * set an end of the panel's value axis, it replaces the corresponding value. Returns 0 if no curve
  * is coloured by its value, or for pictures in characters. */
@@ -130,26 +106,6 @@ int arc_look_scale(const arc_writer *w, const arc_plot_panel *panel, double rang
 
 /* Returns the colour number (from 1) of the curve at index `position` of its panel. */
 int arc_look_colour(const arc_writer *w, const arc_plot_curve *curve, size_t position);
-
-/* Marks of curves in pictures of Braille dots. arc_dot_marked returns true if a curve has marks in
- * `panel` or, if `panel` is NULL, in any panel. arc_dot_marks_block writes the positions of the
- * marks that lie within the ranges of the axes, `box`. arc_dot_marks_words writes the part of the
- * plot command that draws the marks. */
-int arc_dot_marked(const arc_writer *w, const arc_plot_panel *panel, const arc_plot_curve *curve);
-void arc_dot_marks_block(arc_writer *w, size_t number, const arc_plot_box *box);
-void arc_dot_marks_words(arc_writer *w, size_t number);
-
-/* Writes settings, data and plot command of one panel. If `framed` is 1, the panel has the margins
- * of `frame`, otherwise gnuplot's default margins. */
-void arc_panel_write(arc_writer *w, size_t number, const arc_plot_frame *frame, int framed);
-
-/* Returns the length [characters] of the longest tick label of the y axis. `rows` is the height of
- * the frame in rows. */
-size_t arc_panel_label(const arc_writer *w, const arc_plot_panel *panel, double rows);
-
-/* Returns the width [characters] needed to the right of a frame that is `columns` characters
- * wide. 0 means gnuplot's default. */
-double arc_panel_right(const arc_writer *w, const arc_plot_panel *panel, double columns);
 
 /* Returns true if all panels share one key. */
 int arc_look_one_key(const arc_writer *w);
@@ -179,13 +135,83 @@ void arc_look_bars(arc_writer *w, const arc_plot_panel *panel, size_t position);
 /* Writes the command of the shared key. */
 void arc_look_draw_key(arc_writer *w);
 
-/* Writes the points of a curve as rows of a datablock. Values that are not finite interrupt the
- * curve. */
-void arc_data_curve(const arc_plot_panel *panel, const arc_plot_curve *curve, arc_text *script);
+/* --- figure.c --------------------------------------------------------------------------------- */
+
+/* Computes the number of rows and columns of the grid of panels. By default the grid is about
+ * square. */
+void arc_plot_grid(const arc_plot_figure *figure, int *rows, int *columns);
 
 /* Returns the extent of a panel's data. If the user set an end of a range, it replaces the end of
  * the data. */
 arc_plot_box arc_plot_extent(const arc_plot_panel *panel);
+
+/* --- canvas.c --------------------------------------------------------------------------------- */
+
+/* Chooses the canvas of an output from the terminals of the running gnuplot, or from all known
+ * terminals if `session` is NULL. Errors: ARC_ARGUMENT for an invalid file name, ARC_MISSING if no
+ * terminal is suitable. */
+arc_status arc_canvas_choose(const arc_plot_figure *figure, const arc_plot_output *output,
+                             const arc_gnuplot *session, arc_canvas *canvas, arc_error *error);
+
+/* Writes the command that sets the terminal. `animation` has additional options of the terminal, or
+ * is "". */
+void arc_canvas_command(const arc_canvas *canvas, const char *animation, arc_text *script);
+
+/* --- script.c --------------------------------------------------------------------------------- */
+
+/* Writes the commands of a figure that has been checked. */
+void arc_plot_commands(const arc_plot_figure *figure, const arc_canvas *canvas, arc_text *script);
+
+/* --- tick_words.c ----------------------------------------------------------------------------- */
+
+/* Writes the ticks of the axis `name` ("x" or "y") with the words of `axis`, or with numbers if
+ * `axis` has no words (tick_words.c). */
+void arc_ticks_write(arc_writer *w, const char *name, const arc_plot_axis *axis, arc_ticks ticks);
+
+/* Writes the ticks of the colour scale at multiples of `step`. With the step 0 gnuplot chooses the
+ * ticks. */
+void arc_ticks_of_scale(arc_writer *w, double step);
+
+/* --- labels.c --------------------------------------------------------------------------------- */
+
+/* These functions are for titles that are written beside the frame, at the ends of the curves.
+ * arc_labels_width returns the width of the titles [characters], arc_labels_write writes the
+ * titles. */
+double arc_labels_width(const arc_plot_panel *panel);
+void arc_labels_write(arc_writer *w, const arc_plot_panel *panel, const arc_plot_box *box,
+                      double rows);
+
+/* --- dot_marks.c ------------------------------------------------------------------------------ */
+
+/* Marks of curves in pictures of Braille dots. arc_dot_marked returns true if a curve has marks in
+ * `panel` or, if `panel` is NULL, in any panel. arc_dot_marks_block writes the positions of the
+ * marks that lie within the ranges of the axes, `box`. arc_dot_marks_words writes the part of the
+ * plot command that draws the marks. */
+int arc_dot_marked(const arc_writer *w, const arc_plot_panel *panel, const arc_plot_curve *curve);
+void arc_dot_marks_block(arc_writer *w, size_t number, const arc_plot_box *box);
+void arc_dot_marks_words(arc_writer *w, size_t number);
+
+/* --- panel.c ---------------------------------------------------------------------------------- */
+
+/* Writes settings, data and plot command of one panel. If `framed` is 1, the panel has the margins
+ * of `frame`, otherwise gnuplot's default margins. */
+void arc_panel_write(arc_writer *w, size_t number, const arc_plot_frame *frame, int framed);
+
+/* Returns the length [characters] of the longest tick label of the y axis. `rows` is the height of
+ * the frame in rows. */
+size_t arc_panel_label(const arc_writer *w, const arc_plot_panel *panel, double rows);
+
+/* Returns the width [characters] needed to the right of a frame that is `columns` characters
+ * wide. 0 means gnuplot's default. */
+double arc_panel_right(const arc_writer *w, const arc_plot_panel *panel, double columns);
+
+/* --- data.c ----------------------------------------------------------------------------------- */
+
+/* Writes the points of a curve as rows of a datablock. Values that are not finite interrupt the
+ * curve. */
+void arc_data_curve(const arc_plot_panel *panel, const arc_plot_curve *curve, arc_text *script);
+
+/* --- clear.c ---------------------------------------------------------------------------------- */
 
 /* Extends the axes slightly if a curve runs along the frame. Extends automatic ends of logarithmic
  * axes to 1, 2 or 5 times a power of ten. */
@@ -195,13 +221,11 @@ void arc_plot_clear(const arc_canvas *canvas, arc_plot_panel *panel);
  * not changed. */
 void arc_plot_share(arc_plot_panel *panels, size_t count);
 
+/* --- contours.c ------------------------------------------------------------------------------- */
+
 /* Computes the range of the field's values inside the box. If the user set an end of the panel's
  * value axis, it replaces the end of this range. */
 void arc_field_range(const arc_plot_panel *panel, const arc_plot_box *box, double range[2]);
-
-/* Returns a round step for about `levels` contour lines in a range. Contour lines are at multiples
- * of the step. */
-double arc_field_step(const double range[2], int levels);
 
 /* Writes contour lines as rows of segments, and their numbers as rows x, y, value. Each contour
  * line has at most one number, and none if the number would hide the line. The distance of a number

@@ -13,7 +13,7 @@
 
 #include "archard/base.h"
 
-/* --- the child process ------------------------------------------------------------------------ */
+/* --- gnuplot.c: the child process ------------------------------------------------------------- */
 
 /* Oldest supported version of gnuplot. */
 #define ARC_GNUPLOT_OLDEST 5.2
@@ -63,6 +63,8 @@ long arc_gnuplot_process(const arc_gnuplot *session);
 arc_status arc_gnuplot_run(arc_gnuplot *session, const char *commands, size_t count, char **reply,
                            size_t *length, arc_error *error);
 
+/* --- text.c: quoted texts --------------------------------------------------------------------- */
+
 /* Returns a text as a gnuplot string in double quotes, which cannot execute commands. Double
  * quotes and backslashes are escaped, backquotes are written as codes, control characters as
  * blanks, invalid UTF-8 as '?'. If `ascii` is non-zero, characters that are not ASCII are
@@ -70,7 +72,7 @@ arc_status arc_gnuplot_run(arc_gnuplot *session, const char *commands, size_t co
  * free(). Returns NULL if memory is exhausted. */
 char *arc_plot_quote(const char *text, int ascii);
 
-/* --- a figure --------------------------------------------------------------------------------- */
+/* --- figure.c: a figure ----------------------------------------------------------------------- */
 
 /* List of the curve styles: X(C name, name for the user). */
 #define ARC_PLOT_STYLE_LIST(X)                                                                     \
@@ -174,7 +176,7 @@ arc_plot_panel arc_plot_panel_default(void);
  * the curve. */
 arc_status arc_plot_check(const arc_plot_figure *figure, arc_error *error);
 
-/* --- output of a figure ----------------------------------------------------------------------- */
+/* --- draw.c: output of a figure --------------------------------------------------------------- */
 
 typedef enum arc_plot_medium {
   ARC_PLOT_TEXT,   /* a picture in characters, returned to the caller */

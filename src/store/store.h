@@ -24,6 +24,17 @@ struct arc_store {
   size_t opened;
 };
 
+/* Names of all columns of the table `arrays` except case_id. */
+#define ARC_ARRAYS "part, updates, distance_mm, body, name, rows, columns, numbers"
+
+/* Adds bytes to a checksum and returns the new checksum. The initial checksum is
+ * ARC_STORE_CHECKSUM. */
+#define ARC_STORE_CHECKSUM 14695981039346656037u
+
+enum { ARC_TEXT_NAME = 24 }; /* size of the name of a text, including the final zero byte */
+
+/* --- damage.c --------------------------------------------------------------------------------- */
+
 /* Sets the error ARC_FORMAT. The message is "PATH: the file is damaged: ", followed by the case
  * and the formatted text. */
 arc_status arc_store_damaged(const arc_store *store, arc_error *error, int id, const char *format,
@@ -51,15 +62,15 @@ arc_status arc_store_enter(arc_store *store, int *own, arc_error *error);
 /* Ends the transaction if arc_store_enter began it (`own`). Commits if `status` is ARC_OK,
  * otherwise rolls back. Returns `status`, or the error of the commit. */
 arc_status arc_store_leave(arc_store *store, int own, arc_status status, arc_error *error);
+
+/* --- rollback.c ------------------------------------------------------------------------------- */
+
 /* These functions begin and end a transaction that only reads a snapshot of the file. The
  * transaction must be short, because programs that write wait for its end. */
 arc_status arc_store_look(arc_store *store, int *own, arc_error *error);
 void arc_store_look_away(arc_store *store, int own);
 
-/* Names of all columns of the table `arrays` except case_id. */
-#define ARC_ARRAYS "part, updates, distance_mm, body, name, rows, columns, numbers"
-
-/* --- columns.c, statement.c: SQL texts with the columns of history and settings --------------- */
+/* --- columns.c: SQL texts with the columns of history ----------------------------------------- */
 
 /* Returns an SQL text in which the words of `pattern` are replaced: @columns by ", NAME" for
  * each column of the history; @values by the same number of ", ?"; @results by the columns of
@@ -67,6 +78,8 @@ void arc_store_look_away(arc_store *store, int own);
  * hexadecimal; @numbers by the columns of `surfaces`; @units by the rows of `units`. The caller
  * frees the text. Returns NULL if memory is exhausted. */
 char *arc_columns_sql(const char *pattern);
+
+/* --- statement.c: SQL statements -------------------------------------------------------------- */
 
 /* Runs statements without results. In this function and the two functions below, `sql` is a
  * pattern of arc_columns_sql. */
@@ -78,12 +91,15 @@ arc_status arc_store_query(arc_store *store, const char *sql, int id, query **q,
 /* Runs a statement whose parameter 1 is the id of a case. */
 arc_status arc_store_run(arc_store *store, const char *sql, int id, arc_error *error);
 
-/* --- format.c, schema.c: format number, tables and views -------------------------------------- */
+/* --- format.c: format number ------------------------------------------------------------------ */
 
 /* Checks that this program supports the format number of a file. Errors: ARC_FORMAT. */
 arc_status arc_schema_check(const char *path, long long format, arc_error *error);
 /* Reads and checks the format of the file. */
 arc_status arc_schema_format(arc_store *store, long long *format, arc_error *error);
+
+/* --- schema.c: tables and views --------------------------------------------------------------- */
+
 /* Creates the tables of a new file. */
 arc_status arc_schema_make(arc_store *store, arc_error *error);
 /* Converts a file to the present format, in one transaction. */
@@ -107,15 +123,9 @@ arc_status arc_store_unseal_sound(arc_store *store, arc_error *error);
 arc_status arc_store_verify(arc_store *store, int id, arc_error *error);
 arc_status arc_store_verify_run(arc_store *store, int id, arc_error *error);
 arc_status arc_store_verify_all(arc_store *store, arc_error *error);
-
-/* Adds bytes to a checksum and returns the new checksum. The initial checksum is
- * ARC_STORE_CHECKSUM. */
-#define ARC_STORE_CHECKSUM 14695981039346656037u
 uint64_t arc_store_checksum(uint64_t sum, const void *bytes, size_t count);
 
 /* --- texts.c: long texts, each stored once ---------------------------------------------------- */
-
-enum { ARC_TEXT_NAME = 24 }; /* size of the name of a text, including the final zero byte */
 
 /* Stores a long text and sets `name` to the name of the text. For a short text, which is not
  * stored, `name` is "". */

@@ -61,6 +61,19 @@ typedef struct contact_problem {
   double *step;     /* [2 nc] workspace for the complementarity problem (lcp.c) */
 } contact_problem;
 
+/* One end of the contact (edge.c). */
+typedef struct contact_edge {
+  double x;      /* [mm] position in the cylinder's frame */
+  double width;  /* [mm] size of the element at the edge */
+  double smooth; /* [-] weight of the smooth-edge law: 1 at a smooth edge as in Hertz' theory, 0 at
+                    a kink */
+  int out;       /* 1: the right end, -1: the left one */
+  double c[2];   /* coefficients of the pressure c0 sqrt(d) + c1 d sqrt(d) [MPa] inside the contact,
+                    at the distance d [mm] from the edge */
+} contact_edge;
+
+/* --- contact_problem.c ------------------------------------------------------------------------ */
+
 /* Allocates a problem for a model. On ARC_MEMORY the problem is empty. */
 arc_status arc_contact_problem_create(contact_problem *p, const arc_model *model);
 void arc_contact_problem_free(contact_problem *p);
@@ -75,18 +88,6 @@ arc_status arc_contact_problem_update(contact_problem *p, const arc_shape *shape
 
 /* Sets the angle of the load [rad], which applies from the next arc_contact_problem_update on. */
 void arc_contact_problem_set_angle(contact_problem *p, double angle);
-
-/* Computes B and the tributary widths for the plate at x [mm] from the node positions at the last
- * condensation, so that coupling and compliance match. This function and the next three are steps
- * of arc_contact_problem_update. Errors: ARC_ZONE (fewer than three candidates), ARC_MEMORY. */
-arc_status arc_contact_problem_couple(contact_problem *p, const arc_shape *shape, double x,
-                                      arc_error *error);
-/* Computes `down`, the component along the load of a unit force at each candidate. */
-void arc_contact_problem_compute_down(contact_problem *p, const arc_shape *shape);
-/* Computes the contact matrix from the present compliance of the shape. */
-void arc_contact_problem_assemble(contact_problem *p, const arc_shape *shape);
-/* Computes the initial gaps along y from the present heights of the shape. */
-void arc_contact_problem_update_gaps(contact_problem *p, const arc_shape *shape);
 
 /* Solves the contact problem for `line`, the load per thickness [N/mm]. After ARC_ZONE (the contact
  * reaches the edge of the candidates) or ARC_NUMERIC the next solution begins without a warm
@@ -104,10 +105,6 @@ arc_status arc_contact_problem_check_zone(contact_problem *p, arc_error *error);
 /* Reports a failed solution: drops the warm start, writes the message to *error and returns
  * ARC_NUMERIC. */
 arc_status arc_contact_problem_fail(contact_problem *p, arc_error *error);
-
-/* Corrects the gaps by the forces times the changes of both bodies' compliances since their last
- * condensation (compliance_update.c). Returns 0 if there is no change. */
-int arc_contact_problem_add_compliance_change(contact_problem *p);
 
 /* Writes the nodal forces of the solution at all surface nodes of the cylinder to f [nc] [N/mm]. */
 void arc_contact_problem_forces(const contact_problem *p, double *f);
@@ -133,21 +130,34 @@ double arc_contact_problem_average(const contact_problem *p, const arc_shape *sh
 /* Computes the elastic displacement of a body along x [mm] at its surface nodes, u [surface]. */
 void arc_contact_problem_tangential(const contact_problem *p, const arc_shape *shape, arc_body body,
                                     double *u);
+
+/* --- mortar.c --------------------------------------------------------------------------------- */
+
+/* Computes B and the tributary widths for the plate at x [mm] from the node positions at the last
+ * condensation, so that coupling and compliance match. This function and the next three are steps
+ * of arc_contact_problem_update. Errors: ARC_ZONE (fewer than three candidates), ARC_MEMORY. */
+arc_status arc_contact_problem_couple(contact_problem *p, const arc_shape *shape, double x,
+                                      arc_error *error);
+/* Computes `down`, the component along the load of a unit force at each candidate. */
+void arc_contact_problem_compute_down(contact_problem *p, const arc_shape *shape);
+/* Computes the contact matrix from the present compliance of the shape. */
+void arc_contact_problem_assemble(contact_problem *p, const arc_shape *shape);
+/* Computes the initial gaps along y from the present heights of the shape. */
+void arc_contact_problem_update_gaps(contact_problem *p, const arc_shape *shape);
 /* Computes result [nc] = B v for values v [np] of the plate's nodes. result is 0 at nodes that are
  * not candidates. */
 void arc_contact_problem_to_cylinder(const contact_problem *p, const double *v, double *result);
 /* Computes result [np] = B' v for values v [nc] of the cylinder's nodes. */
 void arc_contact_problem_to_plate(const contact_problem *p, const double *v, double *result);
-/* One end of the contact (edge.c). */
-typedef struct contact_edge {
-  double x;      /* [mm] position in the cylinder's frame */
-  double width;  /* [mm] size of the element at the edge */
-  double smooth; /* [-] weight of the smooth-edge law: 1 at a smooth edge as in Hertz' theory, 0 at
-                    a kink */
-  int out;       /* 1: the right end, -1: the left one */
-  double c[2];   /* coefficients of the pressure c0 sqrt(d) + c1 d sqrt(d) [MPa] inside the contact,
-                    at the distance d [mm] from the edge */
-} contact_edge;
+
+/* --- compliance_update.c ---------------------------------------------------------------------- */
+
+/* Corrects the gaps by the forces times the changes of both bodies' compliances since their last
+ * condensation (compliance_update.c). Returns 0 if there is no change. */
+int arc_contact_problem_add_compliance_change(contact_problem *p);
+
+/* --- edge.c ----------------------------------------------------------------------------------- */
+
 contact_edge arc_contact_problem_edge(const contact_problem *p, const arc_shape *shape, int right);
 /* Computes the contact edges [mm], left and right. */
 void arc_contact_problem_edges(const contact_problem *p, const arc_shape *shape, double edges[2]);
@@ -162,6 +172,8 @@ void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double s
  * function. */
 void arc_edge_add_cusp(const contact_edge *edge, int n, const double *x, double share,
                        double *cusp);
+
+/* --- lcp.c ------------------------------------------------------------------------------------ */
 
 /* Solves the complementarity problem (lcp.c): computes the members set, factor, ones, f and
  * approach of p for a load per thickness [N/mm], with the present active set as a warm start. */

@@ -59,6 +59,16 @@ static inline void shape_chord(const double *xy, int n, int i, double chord[2]) 
   chord[1] = b[1] - a[1];
 }
 
+/* Largest number of rows of a deepened wear box. */
+enum { ARC_SHAPE_MOST_ROWS = 100 };
+
+/* Largest wear [mm] of a frozen geometry; above it the rounding errors of the gaps are too
+ * large. */
+#define ARC_SHAPE_DEEPEST 1e6
+static inline int shape_is_corrected(const arc_shape *shape) {
+  return shape->corrections == ARC_CORRECTIONS_ALL;
+}
+
 /* --- surface.c -------------------------------------------------------------------------------- */
 
 /* Moves the surface nodes by `depth` [n] [mm] along their present normals and writes the result to
@@ -69,49 +79,6 @@ void arc_shape_move(const shape_side *side, arc_geometry geometry, const double 
  * condensation. For bodies of revolution it is the area of the node's ring as seen from above
  * [mm2]. */
 double arc_shape_width(const shape_side *side, int i);
-
-/* Computes level, x, y and shift from the present nodes. Wear along the normals also moves nodes
- * along x, but the coupling and `level` use their x at the last condensation. */
-void arc_shape_read_nodes(shape_side *side);
-
-/* Computes the compliance of the wear box with the surface nodes xy [2 n]. */
-arc_status arc_shape_condense(const shape_side *side, const double *xy, compliance *result,
-                              arc_error *error);
-
-/* Returns the depth of the wear box under the unworn centre [mm] (wear_box.c). */
-double arc_shape_box_depth(const shape_side *side);
-
-/* Returns the displacement of node `row` of column i of the wear box [mm] for a displacement `sunk`
- * of the surface [mm] and even wear [mm]. Rows on interfaces of layers remain on the interfaces
- * until the surface reaches them. Even wear moves the interfaces toward the surface. Between these
- * rows the displacement is linear (wear_box.c). */
-double arc_shape_sink(const shape_side *side, double sunk, double even, int i, int row);
-
-/* Returns the even wear [mm] that changes the stiffness: the even wear of a body with layers if its
- * wear box extends below all of them, else 0 (wear_box.c). */
-double arc_shape_even_stiffening(const shape_side *side);
-
-/* Largest number of rows of a deepened wear box. */
-enum { ARC_SHAPE_MOST_ROWS = 100 };
-
-/* Returns the number of rows that the wear box of an evenly worn body needs to extend below all
- * layers, at most ARC_SHAPE_MOST_ROWS and within the body. Returns 0 if the present rows suffice or
- * no more are possible (wear_box.c). */
-int arc_shape_layer_rows(const arc_shape *shape, arc_body body);
-
-/* Checks the elements of the wear box with the surface nodes xy: every column must retain a tenth
- * of the box depth, and x must increase from node to node. Otherwise returns ARC_GEOMETRY
- * (wear_box.c). */
-arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, const double *xy,
-                               arc_error *error);
-
-/* Largest wear [mm] of a frozen geometry; above it the rounding errors of the gaps are too
- * large. */
-#define ARC_SHAPE_DEEPEST 1e6
-
-/* Checks that no depth exceeds ARC_SHAPE_DEEPEST after additional wear by `depth` [n] [mm]. Even
- * wear is not included. Errors: ARC_GEOMETRY (wear_box.c). */
-arc_status arc_shape_check_depth(const shape_side *side, const double *depth, arc_error *error);
 
 /* Writes to down [n] the vertical lowering of the surface at fixed x, divided by the depth of wear
  * along the normal. The result is 1 / cos of the slope angle. */
@@ -126,12 +93,15 @@ double arc_shape_span(const arc_shape *shape, arc_body body, int i);
  * corrected: the effect is of second order in the depth of an update. */
 void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth);
 
-/* --- compliance_update.c ---------------------------------------------------------------------- */
-
-/* Updates `compliance_change` for the present surface nodes. */
-void arc_shape_find_compliance_change(const arc_shape *shape, shape_side *side);
-
 /* --- shape.c ---------------------------------------------------------------------------------- */
+
+/* Computes level, x, y and shift from the present nodes. Wear along the normals also moves nodes
+ * along x, but the coupling and `level` use their x at the last condensation. */
+void arc_shape_read_nodes(shape_side *side);
+
+/* Computes the compliance of the wear box with the surface nodes xy [2 n]. */
+arc_status arc_shape_condense(const shape_side *side, const double *xy, compliance *result,
+                              arc_error *error);
 
 /* Implementations of arc_shape_create, arc_shape_clone, arc_shape_destroy, arc_shape_profile and
  * arc_shape_depth for meshed surfaces. */
@@ -156,9 +126,6 @@ arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, doubl
 
 /* Switches the corrections of the discretisation errors on or off. */
 void arc_shape_set_corrections(arc_shape *shape, arc_corrections corrections);
-static inline int shape_is_corrected(const arc_shape *shape) {
-  return shape->corrections == ARC_CORRECTIONS_ALL;
-}
 /* Prepares an update that wears the surface of one body. If the surface will move too far for its
  * present compliance, computes the compliance in the middle of the update, for the surface worn by
  * `depth` [n] [mm]. This compliance also applies to the end of the update. If the worn surface is
@@ -174,5 +141,40 @@ arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *shift_x,
 
 /* Returns the memory of one shape [bytes]. */
 size_t arc_shape_bytes(const arc_shape *shape);
+
+/* --- wear_box.c ------------------------------------------------------------------------------- */
+
+/* Returns the depth of the wear box under the unworn centre [mm] (wear_box.c). */
+double arc_shape_box_depth(const shape_side *side);
+
+/* Returns the displacement of node `row` of column i of the wear box [mm] for a displacement `sunk`
+ * of the surface [mm] and even wear [mm]. Rows on interfaces of layers remain on the interfaces
+ * until the surface reaches them. Even wear moves the interfaces toward the surface. Between these
+ * rows the displacement is linear (wear_box.c). */
+double arc_shape_sink(const shape_side *side, double sunk, double even, int i, int row);
+
+/* Returns the even wear [mm] that changes the stiffness: the even wear of a body with layers if its
+ * wear box extends below all of them, else 0 (wear_box.c). */
+double arc_shape_even_stiffening(const shape_side *side);
+
+/* Returns the number of rows that the wear box of an evenly worn body needs to extend below all
+ * layers, at most ARC_SHAPE_MOST_ROWS and within the body. Returns 0 if the present rows suffice or
+ * no more are possible (wear_box.c). */
+int arc_shape_layer_rows(const arc_shape *shape, arc_body body);
+
+/* Checks the elements of the wear box with the surface nodes xy: every column must retain a tenth
+ * of the box depth, and x must increase from node to node. Otherwise returns ARC_GEOMETRY
+ * (wear_box.c). */
+arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, const double *xy,
+                               arc_error *error);
+
+/* Checks that no depth exceeds ARC_SHAPE_DEEPEST after additional wear by `depth` [n] [mm]. Even
+ * wear is not included. Errors: ARC_GEOMETRY (wear_box.c). */
+arc_status arc_shape_check_depth(const shape_side *side, const double *depth, arc_error *error);
+
+/* --- compliance_update.c ---------------------------------------------------------------------- */
+
+/* Updates `compliance_change` for the present surface nodes. */
+void arc_shape_find_compliance_change(const arc_shape *shape, shape_side *side);
 
 #endif

@@ -15,6 +15,16 @@ typedef struct elasticity {
   double nu;
 } elasticity;
 
+/* An element with 3 or 4 corners. */
+typedef struct element {
+  int corners;
+  arc_element kind; /* formulation of a quadrilateral */
+  double xy[4][2];
+  revolution revolved;
+} element;
+
+/* --- element.c -------------------------------------------------------------------------------- */
+
 /* arc_elasticity_of returns the elasticity for plane strain and bodies of revolution.
  * arc_elasticity_in returns the elasticity for a given geometry. */
 elasticity arc_elasticity_of(arc_material material);
@@ -29,14 +39,6 @@ arc_element arc_element_for(arc_element kind, double nu);
  * part of D. */
 double arc_elasticity_bulk(elasticity d);
 elasticity arc_elasticity_deviatoric(elasticity d);
-
-/* An element with 3 or 4 corners. */
-typedef struct element {
-  int corners;
-  arc_element kind; /* formulation of a quadrilateral */
-  double xy[4][2];
-  revolution revolved;
-} element;
 
 /* Returns the element with the corners corner[4] of a mesh with the nodes xy; corner[3] is -1
  * for a triangle. */
@@ -56,11 +58,15 @@ double arc_triangle_swelling(const element *e, double gradient[6]);
  * its corners, x and y of each corner in turn. */
 void arc_element_stress(const element *e, elasticity d, const double *u, double stress[3]);
 
+/* --- element_revolved.c ----------------------------------------------------------------------- */
+
 /* Versions of arc_element_stiffness, arc_triangle_swelling and arc_element_stress for elements
  * of revolution (element_revolved.c). */
 void arc_revolved_stiffness(const element *e, elasticity d, double *k);
 double arc_revolved_swelling(const element *e, double gradient[6]);
 void arc_revolved_stress(const element *e, elasticity d, const double *u, double stress[3]);
+
+/* --- gradients.c ------------------------------------------------------------------------------ */
 
 /* These functions compute gradients [1/mm] (gradients.c). The first two compute the gradients of
  * the corner functions of a triangle, and of a quadrilateral at (xi, eta), and return the

@@ -44,14 +44,6 @@ typedef struct shear_problem {
   int iterations;
 } shear_problem;
 
-/* Solves the shear problem. Returns 1 if solved, 0 if the iteration does not converge, -1 if A_tt
- * is not positive definite. */
-int arc_shear_solve(shear_problem *s);
-/* Lists the nodes that stick (direction = 0) in `list` and `pick`. Computes the Cholesky factor of
- * A_tt for these nodes, and `ones`, the forces of these nodes per unit displacement of the plate.
- * Returns non-zero if A_tt is not positive definite. */
-int arc_shear_factorise(shear_problem *s);
-
 /* Tangential part of the contact matrix. Candidates are the cylinder nodes that may be in
  * contact. */
 typedef struct tangential_compliance {
@@ -63,13 +55,6 @@ typedef struct tangential_compliance {
   double *tn; /* [count x count] A_tn: the transpose of A_nt */
   double *tt; /* [count x count] A_tt: tangential displacements per shear force [mm2/N] */
 } tangential_compliance;
-
-arc_status arc_tangential_create(tangential_compliance *g, const arc_model *model);
-void arc_tangential_free(tangential_compliance *g);
-size_t arc_tangential_bytes(const tangential_compliance *g);
-/* Updates the tangential matrices after an update of the contact problem. `work` [2 * (nc + np)] is
- * a workspace. */
-void arc_tangential_update(tangential_compliance *g, const contact_problem *p, double *work);
 
 /* Workspace for solving an increment, which also contains the solution of the last one. One
  * workspace can be used for all contact problems of a model. */
@@ -101,10 +86,6 @@ typedef struct friction_workspace {
   int newton;     /* 1: friction_newton.c solved the increment */
   int bracketed;  /* 1: friction_force_control.c was used */
 } friction_workspace;
-
-arc_status arc_friction_workspace_create(friction_workspace *w, const arc_model *model);
-void arc_friction_workspace_free(friction_workspace *w);
-size_t arc_friction_workspace_bytes(const friction_workspace *w);
 
 /* Terms of even order [mm] and odd order [N] of the error at one end of the sum in
  * slip_energy.c. */
@@ -149,15 +130,6 @@ typedef struct friction_state {
       *u[ARC_BODIES]; /* [2 * surface] displacements of the surfaces, first along x, then along y */
 } friction_state;
 
-/* Creates an unloaded state with the plate's base at x [mm]. */
-arc_status arc_friction_create(friction_state *s, const arc_model *model, double x);
-void arc_friction_free(friction_state *s);
-/* Resets a state to the unloaded state with the plate's base at x [mm]. */
-void arc_friction_reset(friction_state *s, double x);
-void arc_friction_copy(friction_state *to, const friction_state *from);
-/* Returns the size [bytes] of all arrays of a state, which are one block that begins at f. */
-size_t arc_friction_bytes(const friction_state *s);
-
 /* Loads and position of the plate at the end of an increment. */
 typedef struct friction_step {
   double mu;
@@ -166,34 +138,6 @@ typedef struct friction_step {
   double x;          /* [mm] position of the plate's base */
   double tangential; /* [N/mm] tangential force per thickness */
 } friction_step;
-
-/* Returns the default number of increments in which the load is applied: four for each element in
- * the half width of the contact, at least 20 and at most 400. */
-int arc_friction_press_increments(const arc_model *model, double load);
-/* Returns step i of the n steps in which the load of `to` is applied. The width of the contact
- * grows in equal increments. */
-friction_step arc_friction_pressing(const friction_step *to, int i, int n);
-
-/* Solves one increment from the state `s` to `step` and updates the state. Before the call, the
- * problem must be updated for the plate position step->x, or for a position near it if the plate
- * moves little, as under a given force. The position of this update determines which points of both
- * surfaces face each other. The solution is written to p->f, p->approach, w->t and w->slip; p->gap
- * then includes the displacements caused by shear. On ARC_ARGUMENT (friction does not carry the
- * tangential force), ARC_ZONE and ARC_NUMERIC the state is unchanged. */
-arc_status arc_friction_solve(contact_problem *p, tangential_compliance *g, friction_workspace *w,
-                              const friction_step *step, friction_state *s, arc_error *error);
-
-/* Warns if the coefficient of friction and the elastic mismatch are so large that the solution may
- * not be unique. */
-void arc_friction_warn(const arc_model *model, double mu, const char *who,
-                       const arc_callbacks *callbacks);
-
-/* Writes the normal and shear forces of the solution on a body's surface [N/mm] in the order of
- * arc_contact_problem_forces_on. */
-void arc_friction_forces_on(const contact_problem *p, friction_workspace *w, arc_body body,
-                            double *force);
-
-/* --- internal */
 
 /* Data of an increment during its solution. */
 typedef struct friction_task {
@@ -214,35 +158,24 @@ typedef struct friction_task {
              */
 } friction_task;
 
-/* Solves for pressures and shear alternately, under a given force or motion, in at most `limit`
- * sweeps. Returns 1 if solved, 0 if not, -1 if one of the two solvers fails. */
-int arc_friction_sweeps(friction_task *k, int limit);
-/* Solves for the motion of the plate that causes a given tangential force
- * (friction_force_control.c). It is used if the sweeps do not converge. Returns 1 if solved, else
- * 0. */
-int arc_friction_bracket(friction_task *k);
+/* --- shear.c ---------------------------------------------------------------------------------- */
 
-/* Records a reversal of the motion if there is one. Must be called before the forces of the
- * increment are stored in the state. */
-void arc_friction_turn(const friction_task *k, friction_state *s);
-/* Removes the hysteresis loops that the present motion has closed, and adds the part of their
- * energy correction that has not been added yet. */
-void arc_friction_close_loops(friction_state *s);
-/* Returns the rise of the tangential force [N/mm] for which a first motion, on surfaces without
- * shear, is equivalent to the present motion up to `force` [N/mm]: half of the change of force
- * after a reversal. */
-double arc_friction_rise(const friction_memory *m, double force);
+/* Solves the shear problem. Returns 1 if solved, 0 if the iteration does not converge, -1 if A_tt
+ * is not positive definite. */
+int arc_shear_solve(shear_problem *s);
+/* Lists the nodes that stick (direction = 0) in `list` and `pick`. Computes the Cholesky factor of
+ * A_tt for these nodes, and `ones`, the forces of these nodes per unit displacement of the plate.
+ * Returns non-zero if A_tt is not positive definite. */
+int arc_shear_factorise(shear_problem *s);
 
-/* Adds the energy correction of an increment to the state, and computes w->reserve. */
-void arc_friction_between(friction_task *k, friction_state *s);
+/* --- tangential_compliance.c ------------------------------------------------------------------ */
 
-/* Returns the slip ds of a candidate [mm] for the relative tangential displacement w->dragged. */
-double arc_friction_slip(const friction_task *k, int candidate);
-
-/* Solves for pressures and shear together by semismooth Newton, beginning with the sets of the last
- * sweep (friction_newton.c). Returns 1 if solved. Otherwise returns 0 and restores the shear, the
- * slip, the active set and the motion of the last sweep. */
-int arc_friction_newton(friction_task *k);
+arc_status arc_tangential_create(tangential_compliance *g, const arc_model *model);
+void arc_tangential_free(tangential_compliance *g);
+size_t arc_tangential_bytes(const tangential_compliance *g);
+/* Updates the tangential matrices after an update of the contact problem. `work` [2 * (nc + np)] is
+ * a workspace. */
+void arc_tangential_update(tangential_compliance *g, const contact_problem *p, double *work);
 
 /* Computes result [count] = A_nt t, the changes of the gaps caused by shear forces, by
  * candidate. */
@@ -262,5 +195,91 @@ void arc_tangential_relative(const contact_problem *p, double *const u[ARC_BODIE
  * `work` [4 * (nc + np)] is a workspace. */
 void arc_tangential_displace(const contact_problem *p, int flat, const double *f, const double *t,
                              double *const u[ARC_BODIES], double *work);
+
+/* --- friction_workspace.c --------------------------------------------------------------------- */
+
+arc_status arc_friction_workspace_create(friction_workspace *w, const arc_model *model);
+void arc_friction_workspace_free(friction_workspace *w);
+size_t arc_friction_workspace_bytes(const friction_workspace *w);
+
+/* --- friction_state.c ------------------------------------------------------------------------- */
+
+/* Creates an unloaded state with the plate's base at x [mm]. */
+arc_status arc_friction_create(friction_state *s, const arc_model *model, double x);
+void arc_friction_free(friction_state *s);
+/* Resets a state to the unloaded state with the plate's base at x [mm]. */
+void arc_friction_reset(friction_state *s, double x);
+void arc_friction_copy(friction_state *to, const friction_state *from);
+/* Returns the size [bytes] of all arrays of a state, which are one block that begins at f. */
+size_t arc_friction_bytes(const friction_state *s);
+
+/* Returns the default number of increments in which the load is applied: four for each element in
+ * the half width of the contact, at least 20 and at most 400. */
+int arc_friction_press_increments(const arc_model *model, double load);
+/* Returns step i of the n steps in which the load of `to` is applied. The width of the contact
+ * grows in equal increments. */
+friction_step arc_friction_pressing(const friction_step *to, int i, int n);
+
+/* --- friction.c ------------------------------------------------------------------------------- */
+
+/* Solves one increment from the state `s` to `step` and updates the state. Before the call, the
+ * problem must be updated for the plate position step->x, or for a position near it if the plate
+ * moves little, as under a given force. The position of this update determines which points of both
+ * surfaces face each other. The solution is written to p->f, p->approach, w->t and w->slip; p->gap
+ * then includes the displacements caused by shear. On ARC_ARGUMENT (friction does not carry the
+ * tangential force), ARC_ZONE and ARC_NUMERIC the state is unchanged. */
+arc_status arc_friction_solve(contact_problem *p, tangential_compliance *g, friction_workspace *w,
+                              const friction_step *step, friction_state *s, arc_error *error);
+
+/* Writes the normal and shear forces of the solution on a body's surface [N/mm] in the order of
+ * arc_contact_problem_forces_on. */
+void arc_friction_forces_on(const contact_problem *p, friction_workspace *w, arc_body body,
+                            double *force);
+
+/* Solves for pressures and shear alternately, under a given force or motion, in at most `limit`
+ * sweeps. Returns 1 if solved, 0 if not, -1 if one of the two solvers fails. */
+int arc_friction_sweeps(friction_task *k, int limit);
+
+/* Returns the slip ds of a candidate [mm] for the relative tangential displacement w->dragged. */
+double arc_friction_slip(const friction_task *k, int candidate);
+
+/* --- contact.c -------------------------------------------------------------------------------- */
+
+/* Warns if the coefficient of friction and the elastic mismatch are so large that the solution may
+ * not be unique. */
+void arc_friction_warn(const arc_model *model, double mu, const char *who,
+                       const arc_callbacks *callbacks);
+
+/* --- friction_force_control.c ----------------------------------------------------------------- */
+
+/* Solves for the motion of the plate that causes a given tangential force
+ * (friction_force_control.c). It is used if the sweeps do not converge. Returns 1 if solved, else
+ * 0. */
+int arc_friction_bracket(friction_task *k);
+
+/* --- friction_hysteresis.c -------------------------------------------------------------------- */
+
+/* Records a reversal of the motion if there is one. Must be called before the forces of the
+ * increment are stored in the state. */
+void arc_friction_turn(const friction_task *k, friction_state *s);
+/* Removes the hysteresis loops that the present motion has closed, and adds the part of their
+ * energy correction that has not been added yet. */
+void arc_friction_close_loops(friction_state *s);
+/* Returns the rise of the tangential force [N/mm] for which a first motion, on surfaces without
+ * shear, is equivalent to the present motion up to `force` [N/mm]: half of the change of force
+ * after a reversal. */
+double arc_friction_rise(const friction_memory *m, double force);
+
+/* --- slip_energy.c ---------------------------------------------------------------------------- */
+
+/* Adds the energy correction of an increment to the state, and computes w->reserve. */
+void arc_friction_between(friction_task *k, friction_state *s);
+
+/* --- friction_newton.c ------------------------------------------------------------------------ */
+
+/* Solves for pressures and shear together by semismooth Newton, beginning with the sets of the last
+ * sweep (friction_newton.c). Returns 1 if solved. Otherwise returns 0 and restores the shear, the
+ * slip, the active set and the motion of the last sweep. */
+int arc_friction_newton(friction_task *k);
 
 #endif

@@ -45,9 +45,16 @@ typedef struct active_count {
 
 typedef struct active_work active_work;
 
+/* --- active_steps.c --------------------------------------------------------------------------- */
+
 /* Creates a workspace for problems up to the given size. Returns NULL if out of memory. */
 active_work *arc_active_work_create(int blocks, int cells, int modes, int preconditioned);
 void arc_active_work_destroy(active_work **work);
+
+/* Returns the gaps of the last solution [blocks][cells]. */
+const double *arc_active_set_gaps(const active_work *work);
+
+/* --- active_set.c ----------------------------------------------------------------------------- */
 
 /* Solves a problem. The initial p [blocks][cells] determines the first active set and must be
  * positive in some cell of every block. The solution is p and delta [blocks][modes]; the gaps are
@@ -55,9 +62,6 @@ void arc_active_work_destroy(active_work **work);
  * the numbers of this solution to *count. */
 arc_status arc_active_set_solve(const active_problem *problem, active_work *work, double *p,
                                 double *delta, active_count *count, arc_error *error);
-
-/* Returns the gaps of the last solution [blocks][cells]. */
-const double *arc_active_set_gaps(const active_work *work);
 
 /* Computes the change dp [blocks][cells] of the pressures of a solution if its gaps change by
  * `gap`. On the active set {p > 0} of the solution, A dp + gap - N delta = 0. In other cells dp =

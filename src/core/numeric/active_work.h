@@ -40,6 +40,8 @@ static inline size_t active_at(const pass *s, int block) {
   return (size_t)block * (size_t)s->problem->cells;
 }
 
+/* --- active_steps.c --------------------------------------------------------------------------- */
+
 void arc_active_run(const pass *s, team_task task);
 /* arc_active_mode returns mode j of N [cells], arc_active_areas the areas of the cells [cells]. */
 const double *arc_active_mode(const pass *s, int j);
@@ -83,6 +85,8 @@ double arc_active_rms(const pass *s);
  * unchanged in the next call on the same set, and sets it to 0 for a new set. */
 arc_status arc_active_relax(pass *s, double wanted, double *product, active_count *count,
                             arc_error *error);
+
+/* --- polonsky_keer.c -------------------------------------------------------------------------- */
 
 /* Computes the solution by Polonsky and Keer's method, starting from p. Errors: ARC_NOT_CONVERGED,
  * ARC_NUMERIC, errors of `apply`. */

@@ -30,6 +30,8 @@ typedef struct newton {
   double *moved, *force;     /* workspace; forces on the cylinder's nodes [N/mm] */
 } newton;
 
+/* --- newton.c --------------------------------------------------------------------------------- */
+
 arc_status arc_newton_begin(wear_stage *stage);
 void arc_newton_end(wear_stage *stage, double cycles, wear_depths *depth);
 /* Computes the wear per cycle at the start of a step, where z = 0, and stores it in `rate` [mm
@@ -57,6 +59,8 @@ double arc_newton_residual(newton *s, double h, const double *rate);
 double arc_newton_allowed(const newton *s);
 /* Returns true if a shorter step cannot avoid the error `status`. */
 int arc_newton_is_hopeless(const newton *s, arc_status status);
+
+/* --- rest_stage.c ----------------------------------------------------------------------------- */
 
 /* --- rest_stage.c ----------------------------------------------------------------------------- */
 /* Returns true if all points of the window have the same contact under the same load, without

@@ -22,6 +22,13 @@ struct arc_contact {
   friction_state state;
 };
 
+/* Returns the load per thickness [N/mm]. */
+static inline double contact_line(const arc_contact *c) {
+  return c->handle.def.load / arc_model_definition(c->handle.shape->handle.model)->thickness;
+}
+
+/* --- contact.c -------------------------------------------------------------------------------- */
+
 /* Creates a contact on a copy of the shape, without solving it. */
 arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def,
                               arc_contact **contact, arc_error *error);
@@ -34,18 +41,16 @@ arc_status arc_contact_finish(arc_contact **contact, arc_status status,
  * arc_contact_destroy, arc_contact_bytes and arc_contact_surfaces. */
 arc_status arc_plane_solve(const arc_shape *shape, const arc_contact_def *def,
                            const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
-arc_status arc_plane_move(const arc_contact *from, const arc_motion_def *motion,
-                          const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
 void arc_plane_end_contact(arc_contact *contact);
 size_t arc_plane_contact_bytes(const arc_contact *contact);
 arc_status arc_plane_show_contact(const arc_contact *contact, arc_array **surfaces, size_t *count,
                                   arc_error *error);
+
+/* --- motion.c --------------------------------------------------------------------------------- */
+
+arc_status arc_plane_move(const arc_contact *from, const arc_motion_def *motion,
+                          const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
 /* Presses the bodies of a contact with friction together. Defined in motion.c. */
 arc_status arc_contact_press(arc_contact *contact, arc_error *error);
-
-/* Returns the load per thickness [N/mm]. */
-static inline double contact_line(const arc_contact *c) {
-  return c->handle.def.load / arc_model_definition(c->handle.shape->handle.model)->thickness;
-}
 
 #endif

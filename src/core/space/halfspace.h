@@ -52,6 +52,15 @@ typedef struct space_range {
   int low, high; /* empty if high < low */
 } space_range;
 
+static inline double space_x(const arc_halfspace_def *d, int rows, int i) {
+  return (i - (rows - 1) / 2.0) * d->size_x;
+}
+static inline double space_z(const arc_halfspace_def *d, int j) {
+  return (j - (d->nz - 1) / 2.0) * d->size_z;
+}
+
+/* --- cell_box.c ------------------------------------------------------------------------------- */
+
 /* Chooses box sizes [cells] for short transforms in a window of n rows or columns, largest first.
  * Each size is even or odd like n, so the box can lie symmetrically in the window. */
 void arc_space_box_sizes(int n, int periodic, int size[SPACE_LEVELS]);
@@ -66,6 +75,8 @@ void arc_space_find_range(const arc_halfspace *h, const double *value, space_ran
  * `symmetric` is 1, the box lies symmetrically in x. */
 space_box arc_space_box(const arc_halfspace *h, space_range x, space_range z, int margin,
                         int symmetric);
+
+/* --- halfspace.c ------------------------------------------------------------------------------ */
 
 /* Set *found to a convolution for boxes of one size: with the kernel of the compliance, or with the
  * inverse symbol for preconditioning. Each convolution is created at the first call. */
@@ -85,6 +96,18 @@ arc_status arc_space_make_inverse(int rows, int columns, lag_fn kernel, const vo
 /* Returns true if the surface of a body is an endless plane, without recess, wear and map. */
 int arc_space_is_flat(const arc_halfspace *h, const double *const depth[ARC_BODIES], arc_body body);
 
+/* Returns `number` rounded up to a whole number of cells. Results are limited to a quarter of the
+ * largest integer, so that a sum of three results does not overflow. */
+int arc_space_whole_cells(double number);
+
+/* Computes Hertz' contact for relative radii along two perpendicular axes [mm] and a load [N]. The
+ * effective modulus follows from the compliance of the pair to pressure waves about as long as the
+ * contact. Errors: as for arc_hertz_ellipse_of. */
+arc_status arc_space_estimate(const arc_halfspace_def *def, double radius_x, double radius_z,
+                              double load, arc_hertz_ellipse *hertz);
+
+/* --- kernel.c --------------------------------------------------------------------------------- */
+
 /* Returns the displacement at the origin due to unit pressure on a rectangle of half sides a x b
  * whose centre is at (x, z), multiplied by the pair's E* (Love's solution) [mm]. */
 double arc_space_love(double x, double z, double a, double b);
@@ -97,10 +120,6 @@ double arc_space_symbol(const arc_halfspace_def *def, double q);
 /* Returns 1 / E* of the topmost materials of the two bodies. */
 double arc_space_surface_compliance(const arc_halfspace_def *def);
 
-/* Returns `number` rounded up to a whole number of cells. Results are limited to a quarter of the
- * largest integer, so that a sum of three results does not overflow. */
-int arc_space_whole_cells(double number);
-
 /* Adds to the kernel [nx][nz] the contribution of layers and bases, which is the difference from
  * half-spaces of the topmost materials. */
 arc_status arc_space_add_layers(const arc_halfspace_def *def, double *kernel, arc_error *error);
@@ -108,26 +127,17 @@ arc_status arc_space_add_layers(const arc_halfspace_def *def, double *kernel, ar
  * both bodies are homogeneous half-spaces. */
 double arc_space_thinnest(const arc_halfspace_def *def);
 
-/* Computes Hertz' contact for relative radii along two perpendicular axes [mm] and a load [N]. The
- * effective modulus follows from the compliance of the pair to pressure waves about as long as the
- * contact. Errors: as for arc_hertz_ellipse_of. */
-arc_status arc_space_estimate(const arc_halfspace_def *def, double radius_x, double radius_z,
-                              double load, arc_hertz_ellipse *hertz);
+/* --- guess.c ---------------------------------------------------------------------------------- */
 
 /* Computes an initial guess of the pressures in a window from its gaps and the load. */
 void arc_space_guess(const arc_halfspace *h, const double *gap, double load, double *pressure);
+
+/* --- slide.c ---------------------------------------------------------------------------------- */
 
 /* Returns the friction work of the last increment of a state at site k, per area [N/mm]: its slip
  * times its mean friction limit. `before` is its pressure before the increment. Sites that stick do
  * no work. */
 double arc_space_work_at(double friction, double before, const arc_halfspace_friction *state,
                          int k);
-
-static inline double space_x(const arc_halfspace_def *d, int rows, int i) {
-  return (i - (rows - 1) / 2.0) * d->size_x;
-}
-static inline double space_z(const arc_halfspace_def *d, int j) {
-  return (j - (d->nz - 1) / 2.0) * d->size_z;
-}
 
 #endif

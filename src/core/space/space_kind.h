@@ -206,6 +206,8 @@ double arc_space_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_
 arc_status arc_space_slip(arc_wear *w, const wear_window *window,
                           const double *const depth[ARC_BODIES], space_path *path, double *pressure,
                           wear_progress *progress, wear_rate *rate, arc_error *error);
+
+/* --- space_loop.c ----------------------------------------------------------------------------- */
 /* Computes the loop of a cycle (see arc_kind.loop), in increments fine enough for a plot. */
 arc_status arc_space_loop(arc_wear *w, const wear_window *window, wear_progress *progress,
                           arc_loop **loop, arc_error *error);
@@ -258,6 +260,7 @@ arc_status arc_space_widen_contact(space_contact *c, double x, arc_error *error)
 /* Computes the result of the contact (widths, pressures, approach) from its present pressures. */
 void arc_space_read_result(space_contact *c, double approach, int iterations);
 size_t arc_space_contact_bytes(const arc_contact *contact);
+arc_status arc_space_show(const arc_wear *w, arc_array **surfaces, size_t *count, arc_error *error);
 arc_status arc_space_show_contact(const arc_contact *contact, arc_array **surfaces, size_t *count,
                                   arc_error *error);
 /* Checks that the contact under a load [N] lies within the window. Errors: ARC_ZONE if the contact
@@ -287,7 +290,5 @@ double arc_space_slip_volume(const arc_wear_def *def, const arc_model_def *model
 /* Computes the magnitudes of shear [window] [MPa] and slip [window] [mm] of a contact with
  * friction. */
 void arc_space_sizes(const space_contact *c, double *shear, double *slip);
-
-arc_status arc_space_show(const arc_wear *w, arc_array **surfaces, size_t *count, arc_error *error);
 
 #endif

@@ -59,6 +59,8 @@ typedef struct stick_slip_work {
   double *block;
 } stick_slip_work;
 
+/* --- stick_slip.c ----------------------------------------------------------------------------- */
+
 /* Allocates the workspace and sets it to zero. On failure (ARC_MEMORY) its members are NULL. */
 arc_status arc_stick_slip_begin(stick_slip_work *w, int cells, arc_error *error);
 void arc_stick_slip_end(stick_slip_work *w);
@@ -67,6 +69,8 @@ void arc_stick_slip_end(stick_slip_work *w);
  * ARC_NOT_CONVERGED, ARC_STOPPED. After an error the contents of q and xi are undefined. */
 arc_status arc_stick_slip_solve(const stick_slip_problem *problem, stick_slip_work *work,
                                 stick_slip_count *count, arc_error *error);
+
+/* --- stick_slip_newton.c ---------------------------------------------------------------------- */
 
 /* Adds shear to q, where cells slip only along the tangent, so that its sums equal the given
  * forces. Returns 0 if the sets cannot carry the forces; q is then unchanged. */

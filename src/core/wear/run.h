@@ -90,6 +90,9 @@ int arc_wear_has_friction(const arc_wear_def *def);
 int arc_wear_friction_is_known(const arc_wear_def *def);
 
 /* --- wear.c ----------------------------------------------------------------------------------- */
+/* Creates a run as arc_wear_create does, but without a check of the zones. */
+arc_status arc_wear_create_on(arc_model *model, const arc_wear_def *def, const arc_shape *start,
+                              arc_wear **wear, arc_error *error);
 /* arc_wear_rate_clear sets a rate to zero, and arc_wear_rate_copy copies a rate. n is the number of
  * sites of both bodies. */
 void arc_wear_rate_clear(wear_rate *rate, int n);
@@ -139,10 +142,6 @@ arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, arc_b
 /* Returns the derivative dq/dp [-] of the wear law at a node with the pressure p [MPa]. q [MPa] is
  * the wear per sliding distance, divided by k. */
 double arc_wear_law_slope(const arc_wear *w, double p, double q);
-
-/* Creates a run as arc_wear_create does, but without a check of the zones. */
-arc_status arc_wear_create_on(arc_model *model, const arc_wear_def *def, const arc_shape *start,
-                              arc_wear **wear, arc_error *error);
 
 /* --- record.c --------------------------------------------------------------------------------- */
 /* Sets the largest load, the smallest load and the stroke in `record`: of one cycle if the loading

@@ -7,6 +7,8 @@
 #include "archard/contact.h"
 #include "lua/base/args.h"
 
+/* --- surface_maps.c --------------------------------------------------------------------------- */
+
 /* Pushes the array `name` of a body as a map with the unit `unit`. */
 void surface_push_map(lua_State *L, const arc_array *arrays, size_t count, arc_body body,
                       const char *name, const char *unit);
@@ -21,6 +23,8 @@ void surface_push_section(lua_State *L, int index, const char *where, const arc_
 /* Pushes the list of surfaces { body=, update=, distance=, x=, h=, y=, p= }, with z in 3-D. The
  * arrays must be sorted by body and update. */
 void surface_push_list(lua_State *L, const arc_array *arrays, size_t count);
+
+/* --- stress_map.c ----------------------------------------------------------------------------- */
 
 /* Pushes the stresses [MPa] of a 3-D contact (stress_map.c) as a table of maps sxx .. sxz, mises.
  * The table at `index` selects a plane, { y= }, or a section, { z= } or { x= }. Its field `body`

@@ -4,17 +4,6 @@
 
 #include "lua/engine/classes.h"
 
-/* Returns the run at index 1. */
-arc_wear *wear_self(lua_State *L, const char *where);
-
-/* wear_is_saved returns true if the present state of the run is saved in a file. wear_note_saved
- * marks the present state as saved. Both use the number of saved rows of the history, which is
- * stored in the box. */
-int wear_is_saved(const box *made);
-void wear_note_saved(box *made);
-
-/* --- wear_def.c: the definition table --------------------------------------------------------- */
-
 typedef struct wear_request {
   arc_wear_def def;
   double cycles; /* end of the run [cycles]; 0: the end is given as a distance */
@@ -26,6 +15,37 @@ typedef struct wear_request {
   int worn;      /* true if the run starts on worn surfaces */
   int functions; /* stack index of the holder of the user's functions, or of nil */
 } wear_request;
+
+/* --- wear_state.c: fields of a run ------------------------------------------------------------ */
+extern const luaL_Reg wear_fields[];
+
+enum { MOST_GOALS = 16 };
+
+/* End conditions of a run: distance, target values and a function. */
+typedef struct wear_goals {
+  double distance; /* [mm] total distance */
+  arc_wear_target target[MOST_GOALS];
+  char name[MOST_GOALS][32]; /* name of each target, such as "depth.cylinder" */
+  size_t count;
+  int stop_when; /* stack index of the user's function; 0: none */
+} wear_goals;
+
+/* --- wear_class.c ----------------------------------------------------------------------------- */
+
+/* Returns the run at index 1. */
+arc_wear *wear_self(lua_State *L, const char *where);
+
+/* wear_is_saved returns true if the present state of the run is saved in a file. wear_note_saved
+ * marks the present state as saved. Both use the number of saved rows of the history, which is
+ * stored in the box. */
+int wear_is_saved(const box *made);
+void wear_note_saved(box *made);
+
+/* --- wear_class.c ----------------------------------------------------------------------------- */
+/* Pushes the box of the present model of the run in the box at `index`. */
+void run_push_model(lua_State *L, int index, const arc_wear *wear);
+
+/* --- wear_def.c: the definition table --------------------------------------------------------- */
 
 /* Reads and checks the definition table at `index` (or nil), except the fields model and worn.
  * Settings that are not in the table have the values of the run in the box at index `changed`,
@@ -48,15 +68,18 @@ double loading_largest(const arc_wear_def *def);
 /* Pushes the list of blocks with their sampled values. */
 void loading_push(lua_State *L, const arc_wear_def *def);
 
-/* --- wear_state.c: fields of a run ------------------------------------------------------------ */
-extern const luaL_Reg wear_fields[];
+/* --- wear_print.c ----------------------------------------------------------------------------- */
 
 /* --- wear_print.c: printed summary of a run --------------------------------------------------- */
 int wear_tostring(lua_State *L);
 
+/* --- wear_run.c ------------------------------------------------------------------------------- */
+
 /* --- wear_run.c: methods that advance a run --------------------------------------------------- */
 int wear_step(lua_State *L);
 int wear_run(lua_State *L);
+
+/* --- store_run.c ------------------------------------------------------------------------------ */
 
 /* --- store_run.c: runs in files --------------------------------------------------------------- */
 int wear_save(lua_State *L);
@@ -64,19 +87,10 @@ int wear_open(lua_State *L);
 
 /* --- wear_goal.c: end conditions of a run ----------------------------------------------------- */
 
-enum { MOST_GOALS = 16 };
-
-/* End conditions of a run: distance, target values and a function. */
-typedef struct wear_goals {
-  double distance; /* [mm] total distance */
-  arc_wear_target target[MOST_GOALS];
-  char name[MOST_GOALS][32]; /* name of each target, such as "depth.cylinder" */
-  size_t count;
-  int stop_when; /* stack index of the user's function; 0: none */
-} wear_goals;
-
 /* Reads the end conditions from the table at index 2 (or nil). */
 wear_goals wear_goals_read(lua_State *L, const arc_wear *wear);
+
+/* --- wear_profile.c --------------------------------------------------------------------------- */
 
 /* --- wear_profile.c: profiles, maps and other results ----------------------------------------- */
 int wear_profile(lua_State *L);
@@ -89,12 +103,14 @@ int wear_combined(lua_State *L);
 int wear_local_partition(lua_State *L);
 int wear_roughness(lua_State *L);
 int wear_stability(lua_State *L);
-int wear_sensitivity(lua_State *L);
-int wear_loop(lua_State *L);
 
-/* --- wear_class.c ----------------------------------------------------------------------------- */
-/* Pushes the box of the present model of the run in the box at `index`. */
-void run_push_model(lua_State *L, int index, const arc_wear *wear);
+/* --- wear_scripted.c -------------------------------------------------------------------------- */
+
+int wear_sensitivity(lua_State *L);
+
+/* --- wear_state.c: fields of a run ------------------------------------------------------------ */
+
+int wear_loop(lua_State *L);
 
 /* --- wear_record.c: rows of history ----------------------------------------------------------- */
 

@@ -9,12 +9,6 @@
 
 #include "lua/engine/classes.h"
 
-/* Reads the functions of the table at `index`. Settings that are not in the table keep the
- * functions of the holder at `previous` (0: none). Pushes the holder, or nil if there are no
- * functions, and sets the function pointers of the definition. */
-void functions_read(lua_State *L, int index, int previous, args_location location,
-                    arc_wear_def *def);
-
 /* Context in which the engine may call the user's functions. */
 typedef struct functions_place {
   lua_State *L;              /* NULL outside calls of the engine */
@@ -28,6 +22,24 @@ typedef struct functions_call {
   struct wear_functions *held; /* NULL for a run without functions */
   functions_place outer;       /* context of the enclosing call */
 } functions_call;
+
+/* Data of a state object. `record` is NULL outside a call of a function. `pair` contains the
+ * names of the bodies. */
+typedef struct callback_state {
+  const arc_wear_record *record;
+  const arc_model_def *pair;
+} callback_state;
+
+enum { RUN_IDLE = 0, RUN_BUSY = 1, RUN_IN_STEP = 2 }; /* values of `busy` in the box of a run */
+enum { RUN_MODEL = 1, RUN_FUNCTIONS = 2 }; /* indices of the user values of a run's box */
+
+/* --- wear_functions.c ------------------------------------------------------------------------- */
+
+/* Reads the functions of the table at `index`. Settings that are not in the table keep the
+ * functions of the holder at `previous` (0: none). Pushes the holder, or nil if there are no
+ * functions, and sets the function pointers of the definition. */
+void functions_read(lua_State *L, int index, int previous, args_location location,
+                    arc_wear_def *def);
 
 /* Prepares calls of the functions in the holder at index `holder`; has no effect if the holder is
  * nil. While a function runs, `run` is marked as busy. Pushes values that must stay on the stack
@@ -51,17 +63,9 @@ void functions_push(lua_State *L, int holder, const char *field);
 /* Pushes the list of the fields of a definition that are functions. */
 void functions_push_names(lua_State *L, const arc_wear_def *def);
 
-/* Data of a state object. `record` is NULL outside a call of a function. `pair` contains the
- * names of the bodies. */
-typedef struct callback_state {
-  const arc_wear_record *record;
-  const arc_model_def *pair;
-} callback_state;
+/* --- wear_callback_state.c -------------------------------------------------------------------- */
 
 /* Pushes a state object and returns its data. */
 callback_state *state_push(lua_State *L);
-
-enum { RUN_IDLE = 0, RUN_BUSY = 1, RUN_IN_STEP = 2 }; /* values of `busy` in the box of a run */
-enum { RUN_MODEL = 1, RUN_FUNCTIONS = 2 }; /* indices of the user values of a run's box */
 
 #endif
