@@ -9,6 +9,8 @@ local ok = tap.ok
 local known = require "archard.settings"
 local json = require "archard.export.json"
 local settings = require "archard.definition.settings"
+local lib = dofile(here .. "/lib/rows.lua")
+local merged, others = lib.merged, lib.others
 warn "@off"
 
 local folder = os.tmpname()
@@ -16,31 +18,9 @@ os.remove(folder)
 assert(os.execute("mkdir " .. folder))
 local function path(name) return folder .. "/" .. name end
 
-local function merged(...)
-  local all = {}
-  for _, part in ipairs{ ... } do for name, value in pairs(part) do all[name] = value end end
-  return all
-end
-
 local function text_of(name)
   local file <close> = assert(io.open(name))
   return file:read "a"
-end
-
--- Returns values to try for the setting of a table row, other than its default. The first values are
--- most likely valid.
-local function others(row)
-  local list, usual = {}, tonumber(row.default)
-  for _, value in ipairs(row.choice and row.values or {}) do
-    if value ~= row.default then list[#list + 1] = value end
-  end
-  if row.choice then return list end
-  if row.type == "false or true" then return { true } end
-  if row.type:find "^a word" or row.type:find "^a name" or row.type:find "^a text" then return { "another" } end
-  for _, value in ipairs{ usual and usual * 0.9 or false, usual and usual // 1 - 1 or false, 0.4, 2, 7 } do
-    if value and value ~= usual then list[#list + 1] = value end
-  end
-  return list
 end
 
 -- Calls `make` with each value until it succeeds. Returns the object and the value.
@@ -203,6 +183,23 @@ end
 reads_back_model({ mesh = coarse, upper = body.cylinder{ name = "pin" } }, { "upper.name" }, "pin",
   "name of a body")
 tried_rows.name = true
+
+-- Tests that a length that a kind of body needs cannot be left out: it is refused, or has a default.
+for kind, fields in pairs(kinds) do
+  for field, given in pairs(fields) do
+    if math.type(given) then
+      local rest = merged(fields)
+      rest[field] = nil
+      local spatial = kind == "ball" or kind == "map"
+      local role = kind == "block" and "lower" or "upper"
+      local made, m = pcall(function()
+        return model(merged(spatial and { geometry = "3-D" } or { mesh = coarse }, { [role] = body[kind](rest) }))
+      end)
+      local value = made and m[role][field]
+      ok(not made or value == nil or value > 0, ("body.%s without %s: %s"):format(kind, field, made and "a default" or "refused"))
+    end
+  end
+end
 for name in pairs(rows_of_bodies) do ok(tried_rows[name], "body." .. name .. " is tested with some kind") end
 
 -- --- models --------------------------------------------------------------------------------------
