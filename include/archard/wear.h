@@ -192,7 +192,7 @@ typedef struct arc_loading {
          "remaining thickness replaces the height if it is less. Along the surface the limit is "  \
          "0.01 times this fraction of the element width. Between two computations the stiffness "  \
          "is corrected to first order (not with layers). 0: the stiffness is recomputed at every " \
-         "update.")                                                                                \
+         "update. No effect in 3-D.")                                                              \
   CHOICE(                                                                                          \
       corrections, corrections, ARC_CORRECTIONS_ALL, 0,                                            \
       "\"none\": the finite elements alone, without the terms that correct their errors at short " \
@@ -250,7 +250,8 @@ typedef struct arc_loading {
          "both ends (Eq. 4).")                                                                     \
   CHOICE(geometry, geometry, ARC_MOVING, ARC_FIXED,                                                \
          "\"moving\": wear changes the mesh and with it the stiffness near the surface; "          \
-         "\"frozen\": wear changes only the gap between the bodies.")                              \
+         "\"frozen\": wear changes only the gap between the bodies. No effect in 3-D, where the "  \
+         "stiffness of the bodies is always that of half-spaces.")                                 \
   CHOICE(update, update, ARC_UPDATE_CYCLE, 0,                                                      \
          "When the geometry is updated: \"cycle\", every `jump` cycles; \"increment\", at every "  \
          "increment of a cycle (quasi-continuous).")                                               \

@@ -205,6 +205,7 @@ static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
   const arc_wear_def *settings = arc_wear_definition(wear);
   const int rubs = settings->friction > 0 || settings->friction_function != NULL ||
                    settings->friction_series.count > 0;
+  const int half_spaces = arc_model_has_maps(arc_model_definition(arc_wear_model(wear)));
   char line[600], motion[140], load[100], k_alpha[220], steps[40], increments[40];
   show_motion(wear, motion, sizeof motion);
   show_steps(settings, steps, sizeof steps);
@@ -213,10 +214,10 @@ static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
            show_load(wear, load, sizeof load), k_alpha);
   luaL_addstring(text, line);
   add_bodies(text, wear);
-  snprintf(line, sizeof line, "  settings  %s %s, %s, increments %s, %s, %s\n",
+  snprintf(line, sizeof line, "  settings  %s %s, %s, increments %s, %s%s%s\n",
            arc_procedure_names[arc_wear_procedure(wear)], arc_scheme_names[settings->scheme], steps,
            show_increments(wear, increments, sizeof increments),
-           arc_geometry_names[settings->geometry],
+           half_spaces ? "" : arc_geometry_names[settings->geometry], half_spaces ? "" : ", ",
            rubs                               ? "slip of each point by friction"
            : settings->slip == ARC_SLIP_TOTAL ? "total slip"
                                               : "rigid slip");
