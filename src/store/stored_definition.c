@@ -276,8 +276,9 @@ static arc_status refuse_value(const reading *r, const arc_value *value) {
   if (value->kind == ARC_VALUE_FLAG) snprintf(shown, sizeof shown, "%g as a flag", value->number);
   return arc_store_damaged(
       r->store, r->error, r->id,
-      "has the field '%.100s' with the value %s, which this program does not support", value->name,
-      shown);
+      "has the field '%.100s' with the value %s, which this program does not support; was the file "
+      "written by a newer archard?",
+      value->name, shown);
 }
 
 static int read_whole(const arc_value *value, int *to) {
