@@ -1,6 +1,7 @@
 -- Tests that each setting has an effect in each kind of pair that accepts it: a run with another value must
 -- differ in a result, or the kind must refuse the setting. A new row of settings fails this test until every
 -- kind uses it or refuses it, or until it is among the exceptions below, with a reason.
+-- Ordinary collector settings: hundreds of runs would need minutes with continuous garbage collection.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok = tap.ok
