@@ -52,7 +52,7 @@ static arc_status solve_ellipse(const arc_hertz_def *d, arc_hertz *hertz, arc_er
 arc_status arc_hertz_of(const arc_hertz_def *def, arc_hertz *hertz, arc_error *error) {
   const arc_status status = arc_settings_check(arc_hertz_settings, "", def, error);
   if (status != ARC_OK) return status;
-  if (!arc_kind_of(&(arc_model_def){.geometry = def->geometry})->elastic)
+  if (!arc_kind_of(def->geometry)->elastic)
     return arc_fail(error, ARC_ARGUMENT, "field 'geometry': Hertz' formulas are not valid for %s",
                     arc_space_names[def->geometry]);
   hertz->E_star = arc_contact_modulus(def->geometry, def->material);

@@ -207,7 +207,7 @@ arc_status arc_given_settle(const arc_model_def *def, arc_mesh *const given[ARC_
                             arc_model_def *settled, arc_error *error) {
   *settled = fit_to(def, given);
   arc_status status = arc_settings_check(arc_model_settings, "", settled, error);
-  if (status == ARC_OK && !arc_kind_of(def)->mesh)
+  if (status == ARC_OK && !arc_kind_of(def->geometry)->mesh)
     status = arc_fail(error, ARC_ARGUMENT, "field 'geometry': bodies in \"%s\" have no meshes",
                       arc_space_names[def->geometry]);
   if (status == ARC_OK) status = arc_model_check_given_pair(settled, error);

@@ -113,7 +113,7 @@ static build *begin_build(const arc_model_def *def) {
     return NULL;
   }
   b->progress.stages = ARC_BODIES * ARC_BODY_STAGES;
-  b->model->handle = (arc_model){.kind = arc_kind_of(def), .references = 1, .def = *def};
+  b->model->handle = (arc_model){.kind = arc_kind_of(def->geometry), .references = 1, .def = *def};
   b->model->version = ARC_UNWORN_VERSION;
   if (keep_profiles(b->model) == ARC_OK) return b;
   arc_elastic_destroy(&b->model->handle);

@@ -213,7 +213,7 @@ typedef struct arc_kind {
   arc_status (*validate)(const arc_wear *w, arc_error *error);
 } arc_kind;
 
-/* Returns the kind of pair of a model definition. */
-const arc_kind *arc_kind_of(const arc_model_def *def);
+/* Returns the kind of pair of models with a geometry. */
+const arc_kind *arc_kind_of(arc_space geometry);
 
 #endif

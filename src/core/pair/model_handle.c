@@ -5,12 +5,12 @@
 #include <math.h>
 
 arc_status arc_model_check(const arc_model_def *def, arc_error *error) {
-  return arc_kind_of(def)->check_model(def, error);
+  return arc_kind_of(def->geometry)->check_model(def, error);
 }
 
 arc_status arc_model_build_with_callbacks(const arc_model_def *def, const arc_callbacks *callbacks,
                                           arc_model **model, arc_error *error) {
-  return arc_kind_of(def)->build(def, callbacks, model, error);
+  return arc_kind_of(def->geometry)->build(def, callbacks, model, error);
 }
 
 arc_status arc_model_build(const arc_model_def *def, arc_model **model, arc_error *error) {
@@ -34,7 +34,7 @@ const arc_model_def *arc_model_definition(const arc_model *model) {
 }
 
 int arc_model_has_maps(const arc_model_def *def) {
-  return arc_kind_of(def)->maps;
+  return arc_kind_of(def->geometry)->maps;
 }
 
 const char *arc_model_kind_name(const arc_model *model) {

@@ -32,7 +32,7 @@ void arc_units_doubt(const arc_model_def *model, char *text, size_t size) {
 }
 
 void arc_model_warn_moduli(const arc_model_def *model, const arc_callbacks *callbacks) {
-  for (int b = 0; b < ARC_BODIES && arc_kind_of(model)->elastic; b++)
+  for (int b = 0; b < ARC_BODIES && arc_kind_of(model->geometry)->elastic; b++)
     warn_modulus(model->body[b].name[0] ? model->body[b].name : arc_body_name((arc_body)b),
                  model->material[b].E, callbacks);
 }
@@ -40,7 +40,7 @@ void arc_model_warn_moduli(const arc_model_def *model, const arc_callbacks *call
 void arc_units_warn_pair(const arc_model_def *model, double p_max, const arc_callbacks *callbacks) {
   static const double small =
       50; /* ratio of Young's modulus to pressure below which strains are no longer small */
-  if (!arc_kind_of(model)->elastic) return;
+  if (!arc_kind_of(model->geometry)->elastic) return;
   const double E = fmin(model->material[ARC_UPPER].E, model->material[ARC_LOWER].E);
   if (p_max > E / small)
     arc_warn(

@@ -41,7 +41,7 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
 
 double arc_wear_def_sliding(const arc_wear_def *def, const arc_model_def *model) {
   if (!(def->tangential > 0)) return arc_wear_def_strokes(def, model) * arc_wear_def_stroke(def);
-  const wear_manner manner = arc_kind_of(model)->manner(def, model);
+  const wear_manner manner = arc_kind_of(model->geometry)->manner(def, model);
   return 4 * def->tangential / manner.thickness / manner.modulus;
 }
 

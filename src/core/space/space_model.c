@@ -143,7 +143,7 @@ arc_status arc_space_build(const arc_model_def *def, const arc_callbacks *callba
   if (status != ARC_OK) return status;
   space_model *model = calloc(1, sizeof *model);
   if (!model) return arc_fail(error, ARC_MEMORY, "out of memory for a model");
-  model->handle = (arc_model){.kind = arc_kind_of(def), .references = 1, .def = *def};
+  model->handle = (arc_model){.kind = arc_kind_of(def->geometry), .references = 1, .def = *def};
   *result = &model->handle;
   arc_status kept = ARC_OK;
   for (int b = 0; b < ARC_BODIES; b++)

@@ -73,7 +73,7 @@ static arc_status build(const arc_model_def *def, const arc_callbacks *callbacks
   const arc_status status = check_model(def, error);
   springs *s = status == ARC_OK ? calloc(1, sizeof *s) : NULL;
   if (!s) return status == ARC_OK ? no_memory(error) : status;
-  s->handle = (arc_model){.kind = arc_kind_of(def), .references = 1, .def = *def};
+  s->handle = (arc_model){.kind = arc_kind_of(def->geometry), .references = 1, .def = *def};
   arc_mesh_def *mesh = &s->handle.def.mesh;
   if (mesh->size == 0) mesh->size = 0.02;
   if (mesh->zone[ARC_LOWER] == 0) mesh->zone[ARC_LOWER] = 60 * mesh->size;

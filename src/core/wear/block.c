@@ -67,7 +67,7 @@ static double sliding_of_force(const wear_block *b, const wear_manner *m) {
 
 static int increments_of(const arc_wear_def *def, const arc_model_def *model) {
   enum { usual = 100 };
-  const arc_kind *kind = arc_kind_of(model);
+  const arc_kind *kind = arc_kind_of(model->geometry);
   if (kind->increments) return kind->increments(def, model);
   return def->increments > 0 ? def->increments : usual;
 }
@@ -76,7 +76,7 @@ static int increments_of(const arc_wear_def *def, const arc_model_def *model) {
  * Kinds of pair that do not choose increments have one increment between two points. */
 static double parts_of(const arc_wear_def *def, const arc_model_def *model, const arc_loading *from,
                        double *parts) {
-  const arc_kind *kind = arc_kind_of(model);
+  const arc_kind *kind = arc_kind_of(model->geometry);
   if (kind->parts) return kind->parts(def, model, from, parts);
   for (int i = 1; i < from->count; i++) parts[i] = 1;
   return from->count - 1;
@@ -94,7 +94,8 @@ static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *
   b->travel = high - low;
   if (m->rests)
     one_problem(b, 0);
-  else if (arc_wear_has_friction(def) && b->travel <= arc_kind_of(model)->reach(model, b->load))
+  else if (arc_wear_has_friction(def) &&
+           b->travel <= arc_kind_of(model->geometry)->reach(model, b->load))
     one_problem(b, (low + high) / 2); /* preserves pairs of points that stick */
   else
     find_problems(b);
@@ -214,7 +215,7 @@ arc_status arc_wear_blocks_create(const arc_wear_def *def, const arc_model_def *
   *count = def->blocks > 0 ? def->blocks : 1;
   *block = calloc((size_t)*count, sizeof **block);
   if (!*block) return ARC_MEMORY;
-  const wear_manner m = arc_kind_of(model)->manner(def, model);
+  const wear_manner m = arc_kind_of(model->geometry)->manner(def, model);
   double distance = def->start_distance, cycle = def->start_cycle;
   for (int b = 0; b < *count; b++) {
     wear_block *at = &(*block)[b];

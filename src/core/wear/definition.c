@@ -60,7 +60,7 @@ int arc_wear_jump_is_auto(const arc_wear_def *def) {
 }
 
 void arc_wear_def_usual(arc_wear_def *def, const arc_model_def *model) {
-  const arc_kind *kind = arc_kind_of(model);
+  const arc_kind *kind = arc_kind_of(model->geometry);
   const int jumps = arc_law_properties[def->law] & ARC_LAW_JUMPS;
   if (!kind->prefers_implicit) return;
   if (def->tolerance == 0 && (jumps || !kind->prefers_implicit(def))) return;
@@ -267,7 +267,7 @@ arc_status arc_wear_check(const arc_wear_def *d, const arc_model_def *model, arc
   if (status == ARC_OK) status = check_scheme(d, error);
   if (status == ARC_OK) status = check_friction(d, error);
   if (status == ARC_OK) status = check_loading(d, error);
-  return status == ARC_OK ? arc_kind_of(model)->check(d, model, error) : status;
+  return status == ARC_OK ? arc_kind_of(model->geometry)->check(d, model, error) : status;
 }
 
 /* --- copies ----------------------------------------------------------------------------------- */
