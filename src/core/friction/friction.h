@@ -243,13 +243,6 @@ int arc_friction_sweeps(friction_task *k, int limit);
 /* Returns the slip ds of a candidate [mm] for the relative tangential displacement w->dragged. */
 double arc_friction_slip(const friction_task *k, int candidate);
 
-/* --- contact.c -------------------------------------------------------------------------------- */
-
-/* Warns if the coefficient of friction and the elastic mismatch are so large that the solution may
- * not be unique. */
-void arc_friction_warn(const arc_model *model, double mu, const char *who,
-                       const arc_callbacks *callbacks);
-
 /* --- friction_force_control.c ----------------------------------------------------------------- */
 
 /* Solves for the motion of the plate that causes a given tangential force

@@ -29,6 +29,11 @@ static inline double contact_line(const arc_contact *c) {
 
 /* --- contact.c -------------------------------------------------------------------------------- */
 
+/* Warns if the coefficient of friction and the elastic mismatch are so large that the solution may
+ * not be unique. */
+void arc_friction_warn(const arc_model *model, double mu, const char *who,
+                       const arc_callbacks *callbacks);
+
 /* Creates a contact on a copy of the shape, without solving it. */
 arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def,
                               arc_contact **contact, arc_error *error);

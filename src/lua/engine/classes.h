@@ -85,7 +85,7 @@ void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body bo
  * userdata's pointer to the array. */
 arc_array **arrays_push_holder(lua_State *L);
 
-/* --- wear_class.c ----------------------------------------------------------------------------- */
+/* --- wear/wear_class.c ------------------------------------------------------------------------ */
 
 int luaopen_archard_wear(lua_State *L);
 

@@ -79,7 +79,7 @@ int wear_tostring(lua_State *L);
 int wear_step(lua_State *L);
 int wear_run(lua_State *L);
 
-/* --- store_run.c ------------------------------------------------------------------------------ */
+/* --- files/store_run.c ------------------------------------------------------------------------ */
 
 /* --- store_run.c: runs in files --------------------------------------------------------------- */
 int wear_save(lua_State *L);
