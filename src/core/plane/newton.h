@@ -62,7 +62,6 @@ int arc_newton_is_hopeless(const newton *s, arc_status status);
 
 /* --- rest_stage.c ----------------------------------------------------------------------------- */
 
-/* --- rest_stage.c ----------------------------------------------------------------------------- */
 /* Returns true if all points of the window have the same contact under the same load, without
  * friction and without elastic slip. */
 int arc_stage_rests(const wear_stage *stage);

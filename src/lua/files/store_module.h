@@ -22,7 +22,6 @@ int store_id_argument(lua_State *L, int index, const char *where);
  * index `given` (0: none) contains the settings of the run that are functions. */
 void store_push_wear(lua_State *L, arc_store *store, int id, int given, const char *where);
 
-/* --- store_run.c: runs ------------------------------------------------------------------------ */
 int store_save(lua_State *L);
 int store_history(lua_State *L);
 int store_surfaces(lua_State *L);

@@ -16,9 +16,6 @@ typedef struct wear_request {
   int functions; /* stack index of the holder of the user's functions, or of nil */
 } wear_request;
 
-/* --- wear_state.c: fields of a run ------------------------------------------------------------ */
-extern const luaL_Reg wear_fields[];
-
 enum { MOST_GOALS = 16 };
 
 /* End conditions of a run: distance, target values and a function. */
@@ -41,7 +38,6 @@ arc_wear *wear_self(lua_State *L, const char *where);
 int wear_is_saved(const box *made);
 void wear_note_saved(box *made);
 
-/* --- wear_class.c ----------------------------------------------------------------------------- */
 /* Pushes the box of the present model of the run in the box at `index`. */
 void run_push_model(lua_State *L, int index, const arc_wear *wear);
 
@@ -68,20 +64,17 @@ double loading_largest(const arc_wear_def *def);
 /* Pushes the list of blocks with their sampled values. */
 void loading_push(lua_State *L, const arc_wear_def *def);
 
-/* --- wear_print.c ----------------------------------------------------------------------------- */
-
 /* --- wear_print.c: printed summary of a run --------------------------------------------------- */
+
 int wear_tostring(lua_State *L);
 
-/* --- wear_run.c ------------------------------------------------------------------------------- */
-
 /* --- wear_run.c: methods that advance a run --------------------------------------------------- */
+
 int wear_step(lua_State *L);
 int wear_run(lua_State *L);
 
-/* --- files/store_run.c ------------------------------------------------------------------------ */
+/* --- files/store_run.c: runs in files --------------------------------------------------------- */
 
-/* --- store_run.c: runs in files --------------------------------------------------------------- */
 int wear_save(lua_State *L);
 int wear_open(lua_State *L);
 
@@ -90,9 +83,8 @@ int wear_open(lua_State *L);
 /* Reads the end conditions from the table at index 2 (or nil). */
 wear_goals wear_goals_read(lua_State *L, const arc_wear *wear);
 
-/* --- wear_profile.c --------------------------------------------------------------------------- */
-
 /* --- wear_profile.c: profiles, maps and other results ----------------------------------------- */
+
 int wear_profile(lua_State *L);
 int wear_pressure(lua_State *L);
 int wear_map(lua_State *L);
@@ -110,6 +102,7 @@ int wear_sensitivity(lua_State *L);
 
 /* --- wear_state.c: fields of a run ------------------------------------------------------------ */
 
+extern const luaL_Reg wear_fields[];
 int wear_loop(lua_State *L);
 
 /* --- wear_record.c: rows of history ----------------------------------------------------------- */
