@@ -92,17 +92,24 @@ double arc_space_lower_share(const arc_model_def *def, int turned) {
   return fmax(0, fmin(1, share));
 }
 
-static arc_status check_curvature(const arc_model_def *def, arc_error *error) {
-  static const double conformal = 0.1; /* smallest accepted ratio of the relative curvature to the
-                                          largest curvature of a body */
-  double x, z, most = 0;
-  find_curvatures(def, &x, &z);
+/* Returns the largest curvature along each axis [1/mm]: of a body, or the relative curvature. */
+static void largest_curvatures(const arc_model_def *def, double *x, double *z) {
+  find_curvatures(def, x, z);
   for (int b = 0; b < ARC_BODIES; b++) {
     double of_x, of_z;
     body_curvatures(def, (arc_body)b, &of_x, &of_z);
-    most = fmax(most, fmax(fabs(of_x), fabs(of_z)));
+    *x = fmax(*x, fabs(of_x));
+    *z = fmax(*z, fabs(of_z));
   }
-  if (x > 0 && z > 0 && fmax(x, z) < conformal * most)
+}
+
+static arc_status check_curvature(const arc_model_def *def, arc_error *error) {
+  static const double conformal = 0.1; /* smallest accepted ratio of the relative curvature to the
+                                          largest curvature of a body */
+  double x, z, most_x, most_z;
+  find_curvatures(def, &x, &z);
+  largest_curvatures(def, &most_x, &most_z);
+  if (x > 0 && z > 0 && fmax(x, z) < conformal * fmax(most_x, most_z))
     return arc_fail(error, ARC_GEOMETRY,
                     "field 'upper': with geometry = \"3-D\" expected radii that differ by at least "
                     "a tenth of the "
@@ -292,17 +299,6 @@ arc_status arc_space_extend_cells(const arc_model_def *def, int rows, int beyond
   cells->nx += rows;
   cells->track = cells->nx + beyond;
   return check_larger(def, before, cells, error);
-}
-
-/* Returns the largest curvature along each axis [1/mm]: of a body, or the relative curvature. */
-static void largest_curvatures(const arc_model_def *def, double *x, double *z) {
-  find_curvatures(def, x, z);
-  for (int b = 0; b < ARC_BODIES; b++) {
-    double of_x, of_z;
-    body_curvatures(def, (arc_body)b, &of_x, &of_z);
-    *x = fmax(*x, fabs(of_x));
-    *z = fmax(*z, fabs(of_z));
-  }
 }
 
 int arc_space_warn_steep(const arc_model_def *def, double half_x, double half_z,
