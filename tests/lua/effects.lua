@@ -11,9 +11,8 @@ local merged, others = lib.merged, lib.others
 warn "@off"
 
 -- Small runs of each kind of pair.
-local mesh = { size = 0.1, height = 0.1, far = 2, zone = { cylinder = 2.4, plate = 3 } }
 local kinds = {
-  plane = { mesh = mesh },
+  plane = { mesh = { size = 0.1, height = 0.1, far = 2, zone = { cylinder = 2.4, plate = 3 } } },
   ["3-D"] = { geometry = "3-D", mesh = { size = 0.05 } },
   springs = { geometry = "springs", mesh = { size = 0.05, zone = { cylinder = 2.4, plate = 3 } } },
 }

@@ -162,18 +162,23 @@ for _, row in ipairs(known.body) do
   if not row.path:find "^layer%d" and row.path ~= "kind" then rows_of_bodies[row.path] = row end
 end
 for kind in pairs(body) do ok(kinds[kind], "body." .. kind .. " is among the tested bodies") end
-for kind, fields in pairs(kinds) do
+
+-- Returns the definition of a model with a body of a kind, and the role of this body.
+local function with_body(kind, fields)
   local role = kind == "block" and "lower" or "upper"
   local spatial = kind == "ball" or kind == "map" -- half-spaces have no mesh
-  local with = spatial and { geometry = "3-D" } or { mesh = coarse }
+  return merged(spatial and { geometry = "3-D" } or { mesh = coarse }, { [role] = body[kind](fields) }), role
+end
+
+for kind, fields in pairs(kinds) do
   for field in pairs(fields) do
     tried_rows[field] = true
     if type(fields[field]) ~= "table" then
       local value = fields[field]
-      reads_back_model(merged(with, { [role] = body[kind](fields) }), { role .. "." .. field }, value,
-        ("body.%s.%s"):format(kind, field))
+      local definition, role = with_body(kind, fields)
+      reads_back_model(definition, { role .. "." .. field }, value, ("body.%s.%s"):format(kind, field))
     elseif field == "y" then
-      local m = model(settings.nest(settings.flatten("rows", { is = model(merged(with, { upper = body[kind](fields) })) })).is)
+      local m = model(settings.nest(settings.flatten("rows", { is = model((with_body(kind, fields))) })).is)
       ok(#m.upper.y == #fields.y and m.upper.y[3] == fields.y[3] and m.upper.x[1] == fields.x[1],
         "points of a body.map or body.profile: " .. kind)
       ok(kind ~= "map" or #m.upper.z == 7 and m.upper.z[7] == 0.75, "points of a map along z")
@@ -190,12 +195,10 @@ for kind, fields in pairs(kinds) do
     if math.type(given) then
       local rest = merged(fields)
       rest[field] = nil
-      local spatial = kind == "ball" or kind == "map"
-      local role = kind == "block" and "lower" or "upper"
-      local made, m = pcall(function()
-        return model(merged(spatial and { geometry = "3-D" } or { mesh = coarse }, { [role] = body[kind](rest) }))
+      local made, value = pcall(function()
+        local definition, role = with_body(kind, rest)
+        return model(definition)[role][field]
       end)
-      local value = made and m[role][field]
       ok(not made or value == nil or value > 0, ("body.%s without %s: %s"):format(kind, field, made and "a default" or "refused"))
     end
   end
