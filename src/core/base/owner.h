@@ -15,8 +15,8 @@ typedef enum arc_owner_state {
                          name */
 } arc_owner_state;
 
-/* Reads the name of a process, which ends with its PID, at the beginning of a text. Returns whether
- * this process still runs. Characters after the last digit of the PID are ignored. */
+/* Reads the name of a program, as arc_owner_name writes it, at the beginning of a text. Returns the
+ * state of this program. Characters after the last digit of the PID are ignored. */
 arc_owner_state arc_owner_look(const char *name);
 
 #endif

@@ -153,7 +153,7 @@ void arc_contact_problem_to_plate(const contact_problem *p, const double *v, dou
 /* --- compliance_update.c ---------------------------------------------------------------------- */
 
 /* Corrects the gaps by the forces times the changes of both bodies' compliances since their last
- * condensation (compliance_update.c). Returns 0 if there is no change. */
+ * condensation. Returns 0 if there is no change. */
 int arc_contact_problem_add_compliance_change(contact_problem *p);
 
 /* --- edge.c ----------------------------------------------------------------------------------- */
@@ -175,7 +175,7 @@ void arc_edge_add_cusp(const contact_edge *edge, int n, const double *x, double 
 
 /* --- lcp.c ------------------------------------------------------------------------------------ */
 
-/* Solves the complementarity problem (lcp.c): computes the members set, factor, ones, f and
+/* Solves the complementarity problem: computes the members set, factor, ones, f and
  * approach of p for a load per thickness [N/mm], with the present active set as a warm start. */
 arc_status arc_lcp_solve(contact_problem *p, double line);
 /* Computes `factor` and `ones` for the present active set unless they are already valid for it.

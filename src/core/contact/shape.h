@@ -144,32 +144,31 @@ size_t arc_shape_bytes(const arc_shape *shape);
 
 /* --- wear_box.c ------------------------------------------------------------------------------- */
 
-/* Returns the depth of the wear box under the unworn centre [mm] (wear_box.c). */
+/* Returns the depth of the wear box under the unworn centre [mm]. */
 double arc_shape_box_depth(const shape_side *side);
 
 /* Returns the displacement of node `row` of column i of the wear box [mm] for a displacement `sunk`
  * of the surface [mm] and even wear [mm]. Rows on interfaces of layers remain on the interfaces
  * until the surface reaches them. Even wear moves the interfaces toward the surface. Between these
- * rows the displacement is linear (wear_box.c). */
+ * rows the displacement is linear. */
 double arc_shape_sink(const shape_side *side, double sunk, double even, int i, int row);
 
 /* Returns the even wear [mm] that changes the stiffness: the even wear of a body with layers if its
- * wear box extends below all of them, else 0 (wear_box.c). */
+ * wear box extends below all of them, else 0. */
 double arc_shape_even_stiffening(const shape_side *side);
 
 /* Returns the number of rows that the wear box of an evenly worn body needs to extend below all
  * layers, at most ARC_SHAPE_MOST_ROWS and within the body. Returns 0 if the present rows suffice or
- * no more are possible (wear_box.c). */
+ * no more are possible. */
 int arc_shape_layer_rows(const arc_shape *shape, arc_body body);
 
 /* Checks the elements of the wear box with the surface nodes xy: every column must retain a tenth
- * of the box depth, and x must increase from node to node. Otherwise returns ARC_GEOMETRY
- * (wear_box.c). */
+ * of the box depth, and x must increase from node to node. Otherwise returns ARC_GEOMETRY. */
 arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, const double *xy,
                                arc_error *error);
 
 /* Checks that no depth exceeds ARC_SHAPE_DEEPEST after additional wear by `depth` [n] [mm]. Even
- * wear is not included. Errors: ARC_GEOMETRY (wear_box.c). */
+ * wear is not included. Errors: ARC_GEOMETRY. */
 arc_status arc_shape_check_depth(const shape_side *side, const double *depth, arc_error *error);
 
 /* --- compliance_update.c ---------------------------------------------------------------------- */

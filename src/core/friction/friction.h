@@ -245,9 +245,8 @@ double arc_friction_slip(const friction_task *k, int candidate);
 
 /* --- friction_force_control.c ----------------------------------------------------------------- */
 
-/* Solves for the motion of the plate that causes a given tangential force
- * (friction_force_control.c). It is used if the sweeps do not converge. Returns 1 if solved, else
- * 0. */
+/* Solves for the motion of the plate that causes a given tangential force. It is used if the sweeps
+ * do not converge. Returns 1 if solved, else 0. */
 int arc_friction_bracket(friction_task *k);
 
 /* --- friction_hysteresis.c -------------------------------------------------------------------- */

@@ -127,7 +127,7 @@ int joint_takes(lua_State *L, const char *method);
 
 /* --- surface_maps.c --------------------------------------------------------------------------- */
 
-/* Raises an error if the bodies have no meshes (surface_maps.c). */
+/* Raises an error if the bodies have no meshes. */
 void model_check_meshed(lua_State *L, const arc_model *model, const char *where);
 
 /* --- model_share.c: models shared by runs ----------------------------------------------------- */
