@@ -37,6 +37,18 @@ local elements = w.history.elements
 ok(elements[1] < elements[#elements] and held.history.elements[1] == held.elements, "the history contains the number of elements")
 is(before.mesh.zone.cylinder, 0.8, "the model of the user is unchanged")
 
+-- Tests that symmetric runs remain exactly symmetric, so that half of their contact solutions are sufficient.
+local both = wear{ k = 1e-5, distance = 50 }:run()
+ok(both.model.mesh.size > model{}.mesh.size, "the elements of a moving contact grow with it")
+for _, body in ipairs{ "cylinder", "plate" } do
+  local p, uneven = both:profile(body), 0
+  for i = 1, #p.h do
+    local image = #p.h + 1 - i
+    uneven = math.max(uneven, math.abs(p.h[i] - p.h[image]), math.abs(p.worn_x[i] + p.worn_x[image]))
+  end
+  is(uneven, 0.0, "a symmetric run remains exactly symmetric on the larger mesh: " .. body)
+end
+
 -- Tests a wear box with too few rows of elements: the run adds rows.
 local flat = run_on(mesh(2, 2.2, 1), { k = 2e-7, distance = 800, jump = 4 })
 local deep = run_on(mesh(2, 2.2, 3), { k = 2e-7, distance = 800, jump = 4 })

@@ -179,6 +179,41 @@ static void stand_upright(const shape_side *side, track *t) {
   memset(t->value[SHIFT_X], 0, (size_t)t->n * sizeof(double));
 }
 
+/* Sign of each quantity in the mirror image about x = 0. */
+static const double in_mirror[QUANTITIES] = {[SHIFT_X] = -1, [SHIFT_Y] = 1, [DEPTH] = 1};
+
+static int is_mirrored(const track *t) {
+  for (int i = 0; 2 * i < t->n; i++) {
+    const int image = t->n - 1 - i;
+    if (t->x[i] != -t->x[image]) return 0;
+    for (int q = 0; q < QUANTITIES; q++)
+      if (t->value[q][i] != in_mirror[q] * t->value[q][image]) return 0;
+  }
+  return 1;
+}
+
+/* Replaces the right half of a surface by the mirror image of its left half. */
+static void reflect(track *t) {
+  for (int i = 0; 2 * i < t->n; i++) {
+    const int image = t->n - 1 - i;
+    for (int q = 0; q < QUANTITIES; q++)
+      t->value[q][image] = i == image && in_mirror[q] < 0 ? 0 : in_mirror[q] * t->value[q][i];
+  }
+}
+
+/* Interpolates the surface `from` at the nodes of a side. Symmetric surfaces remain exactly
+ * symmetric. */
+static void interpolate(const track *from, const shape_side *side, track *to) {
+  memcpy(to->x, side->x0, (size_t)to->n * sizeof *to->x);
+  const int mirrored = is_mirrored(from) && is_mirrored(to);
+  for (int i = 0; i < to->n; i++) {
+    double value[QUANTITIES];
+    track_at(from, to->x[i], value);
+    for (int q = 0; q < QUANTITIES; q++) to->value[q][i] = value[q];
+  }
+  if (mirrored) reflect(to);
+}
+
 /* Returns true if the nodes of the new mesh cover the whole scar. Otherwise the outer part of the
  * scar is lost. */
 static int covers(const shape_side *side, const track *from) {
@@ -196,11 +231,7 @@ static arc_status remap(const shape_side *source, track *from, arc_shape *to, ar
   if (track_create(&t, side->n) != ARC_OK)
     return arc_fail(error, ARC_MEMORY, "out of memory for a worn shape");
   bend(from);
-  for (int i = 0; i < t.n; i++) {
-    double value[QUANTITIES];
-    track_at(from, side->x0[i], value);
-    for (int q = 0; q < QUANTITIES; q++) t.value[q][i] = value[q];
-  }
+  interpolate(from, side, &t);
   if (to->geometry == ARC_FROZEN) stand_upright(side, &t);
   if (covers(side, from)) scale_to(side, &t, area_under(source, from, 1));
   const arc_status status = arc_shape_put(to, body, t.value[SHIFT_X], t.value[SHIFT_Y],
