@@ -3,6 +3,7 @@
 -- depths.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below, within = figures.below, figures.within
+local at_distance = require "archard.lib.history_at"
 
 local metres = { 5, 50, 800, 1600, 3600 }
 local radius, load, k = 20, 65 / 6, 2e-9 -- units: mm, N/mm, mm2/N
@@ -58,6 +59,20 @@ while w.distance < 3600e3 do
 end
 below(math.abs(w.volume.plate / (k * load * total) - 1), 5e-5,
   "error of the volume against k times the integral of p over the arc")
+
+-- Tests the centre pressure at all updates of a scar wider than three half widths. The pressure is nearly
+-- uniform, and the width of the contact changes from node to node.
+local function centre(mesh)
+  return wear{ model = { radius = radius, mesh = mesh }, load = load, k_cylinder = 0, k_plate = k, slide = "z", distance = 3600e3,
+    scheme = "implicit" }:run{ progress = false }.history
+end
+local usual, twice, off = centre{}, centre{ fineness = 2 }, 0
+for i = 2, #usual.distance do
+  if usual.half_width[i] > 3 * usual.half_width[1] then
+    off = math.max(off, math.abs(usual.p_center[i] / at_distance(twice, "p_center", usual.distance[i]) - 1))
+  end
+end
+below(off, 0.016, "error of the centre pressure at any update against half the element size")
 
 warn "@off" -- suppresses warnings about the coarse mesh
 -- Tests that long steps also converge: computes the whole distance in a few steps of backward Euler.

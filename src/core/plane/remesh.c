@@ -20,8 +20,13 @@ static const double ratio = 1.41421356237309504880;
  * 25 half widths, the depth differs from the rigid limit by 0.02 % with rich = 4 and by 0.05 % with
  * rich = 3. With elements of size h, a transfer to larger elements loses the fraction h^2/(8 b^2)
  * of the area of a scar of half width b, which is 0.04 % (0.12 % for sizes doubled at once).
- * Scaling of the depths restores this area. */
-static const double rich = 4;
+ * Scaling of the depths restores this area.
+ *
+ * Where the bodies conform to each other, the pressure is nearly uniform up to kinks at the edges.
+ * Its error is then that of the contact's width, which changes from node to node. Such contacts
+ * have `full` times as many elements: a cylinder that wears alone to ten half widths has errors of
+ * the centre pressure of 1.1 % with full = 2, and of 2.3 % with full = 1. */
+static const double rich = 4, full = 2;
 
 /* --- checks of the present mesh */
 
@@ -173,6 +178,16 @@ static double edge_size(const arc_wear *w) {
   return arc_model_size_for(fmax(unworn.edge, edge));
 }
 
+/* Returns true for contacts in the plane whose mean pressure is close to the centre pressure. Their
+ * ratio is 0.785 in Hertz' contacts. Bodies of revolution would need a third of the elements
+ * throughout, and many times the time, for the same error. */
+static int is_uniform(const arc_wear *w) {
+  static const double uniform = 0.97;
+  const arc_wear_record *now = arc_wear_last(w);
+  if (arc_model_body(w->model, ARC_UPPER)->chart.revolved.on) return 0;
+  return w->def.load > uniform * now->p_center * 2 * now->half_width * w->manner.thickness;
+}
+
 static void scale_size(arc_model_def *def, double by) {
   def->mesh.size *= by;
   def->mesh.height *= by;
@@ -185,7 +200,8 @@ static void refine(const arc_wear *w, arc_model_def *def) {
 
 /* Exposed layers become narrower as the scar grows. Their elements therefore have a reserve. */
 static void coarsen(const arc_wear *w, arc_model_def *def) {
-  const double fitted = arc_model_size_for(arc_wear_last(w)->half_width) / rich;
+  const double more = is_uniform(w) ? rich * full : rich;
+  const double fitted = arc_model_size_for(arc_wear_last(w)->half_width) / more;
   const double soon = sqrt(sqrt(ratio)); /* a slightly earlier change to larger elements avoids
                                             another remeshing */
   const double edges = edge_size(w) / ratio, layers = exposed_layer_size(w) / (ratio * ratio);
