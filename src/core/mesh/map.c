@@ -16,6 +16,12 @@ static int choose_root_level(const arc_mesh_def *def, const body_map *m) {
   return level > 0 ? level : 0;
 }
 
+/* Returns the number of root cells of a given width in a length, at least 1. Round lengths and
+ * widths often have a quotient of exactly n + 1/2, in which rounding errors must not count. */
+static int count_cells(double length, double width) {
+  return (int)fmax(1, round(length / width * (1 + 1e-9)));
+}
+
 /* Converts a logical coordinate [mm] to a physical coordinate. Coordinates up to `near` are
  * unchanged. Larger coordinates are stretched linearly, so that `units` becomes `target`. */
 static double stretch(double at, double near, double units, double target) {
@@ -72,8 +78,8 @@ body_map arc_body_map_make(const arc_mesh_def *def, arc_body body, const arc_bod
   m.near_d = near_d;
   m.root_level = choose_root_level(def, &m);
   const double unit = ldexp(1, m.root_level), deep = m.core ? 1.9 * m.radius : m.depth;
-  m.columns = (int)fmax(1, round(m.half_s / (unit * def->size)));
-  m.lines = (int)fmax(1, round(deep / (unit * def->height)));
+  m.columns = count_cells(m.half_s, unit * def->size);
+  m.lines = count_cells(deep, unit * def->height);
   /* Columns beside the contact may be compressed at most to half their width. */
   const double beside = m.half_s - near_s;
   if (m.columns * unit * def->size < near_s + beside / 2) m.columns++;
