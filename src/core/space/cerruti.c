@@ -55,7 +55,10 @@ static double couple_of(arc_material m) {
 }
 
 double arc_cerruti_unlike(const arc_halfspace_def *def) {
-  return couple_of(def->body[ARC_UPPER].material) - couple_of(def->body[ARC_LOWER].material);
+  static const double rounding = 1e-9; /* largest relative difference of equal materials */
+  const double upper = couple_of(def->body[ARC_UPPER].material),
+               lower = couple_of(def->body[ARC_LOWER].material);
+  return fabs(upper - lower) > rounding * (fabs(upper) + fabs(lower)) ? upper - lower : 0;
 }
 
 enum { XX, XZ, ZZ };
