@@ -115,7 +115,8 @@ static int removed_nothing(const arc_wear *w) {
  * exactly 1 within a block. */
 static double cycle_ratio(const arc_wear *w, const wear_block *block) {
   const arc_wear_record *now = arc_wear_last(w);
-  if (w->records < 2 || now->cycle > block->start_cycle || !(now->jump > 0)) return 1;
+  const int within = now->cycle > block->start_cycle * (1 + whole);
+  if (w->records < 2 || within || !(now->jump > 0)) return 1;
   return (now->distance - now[-1].distance) / now->jump / block->sliding;
 }
 
