@@ -58,6 +58,16 @@ for i, depth in ipairs((depths(wide, 1e-4))) do
 end
 figures.below(updates, 100, "reference pair, k = 1e-5: number of updates")
 
+-- Tests grooves of strokes much longer than the contact, in which the depth increases slowly.
+for _, k in ipairs{ 1e-6, 1e-5 } do
+  local groove = { k = k, alpha = 0, stroke = 2, distance = 400, scheme = "implicit" }
+  local few, count = depths(groove, 1e-3)
+  for i, depth in ipairs((depths(groove, 1e-4))) do
+    if depth > 0 then figures.within(few[i], depth, 5e-4, ("groove, k = %g: depth %d [mm]"):format(k, i)) end
+  end
+  figures.below(count, 40, ("groove, k = %g: number of updates"):format(k))
+end
+
 -- Tests a stroke of one element: long steps of the implicit scheme converge only if each part of the stroke
 -- has its own Jacobian.
 local _, short = depths({ model = { radius = 42.317, cylinder = { E = 372e3 }, plate = { E = 18114 } }, load = 34.81, stroke = 0.05842,

@@ -185,6 +185,15 @@ double arc_plane_open_share(const arc_wear *w, arc_body body) {
   return arc_wear_layer_share(w->shape, body, deepest, fmax(0, depth - side->h[deepest]));
 }
 
+/* Returns the largest mean pressure on a point of the plate over the sliding distance [MPa]. If the
+ * stroke is wider than the contact, the whole load passes over each point once per stroke. */
+static double pressure_on_plate(const arc_wear *w) {
+  const arc_wear_record *now = arc_wear_last(w);
+  const double travel = w->manner.rests ? 0 : arc_wear_travel(w);
+  const double passing = arc_model_line(arc_model_definition(w->model), w->def.load);
+  return travel * now->p_center > passing ? passing / travel : now->p_center;
+}
+
 /* Returns the longest update that the changing compliance of a scar allows, as an integral of k
  * over the sliding distance. If the scar becomes deeper by dh, the elastic displacement u = p b / E
  * (pressure p, half width b) changes by about u dh / b. Relative to the depth h this is an error of
@@ -200,9 +209,9 @@ static double scar_k_integral(const arc_wear *w) {
   const double h = fmax(arc_plane_natural_depth(w), now->depth_cylinder + now->depth_plate);
   const double depth =
       fmin(late * tolerance * h * felt_modulus(w) / now->p_center, deeper * now->half_width);
-  const double share =
-      now->alpha * open_share(w, ARC_CYLINDER) + (1 - now->alpha) * open_share(w, ARC_PLATE);
-  return share > 0 ? depth / (share * now->p_center) : INFINITY;
+  const double rate = now->alpha * open_share(w, ARC_CYLINDER) * now->p_center +
+                      (1 - now->alpha) * open_share(w, ARC_PLATE) * pressure_on_plate(w);
+  return rate > 0 ? depth / rate : INFINITY;
 }
 
 double arc_plane_layer_k_integral(const arc_wear *w, int scars) {
