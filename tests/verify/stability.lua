@@ -118,6 +118,7 @@ for name, fields in pairs{
   ["auto"] = { scheme = "explicit", stroke = 0.22, distance = 400, k = { distance = { 0, 660 }, value = { 1e-9, 5e-8 } } },
   ["sliding out of the plane, few increments"] = { slide = "z", stroke = 1, increments = 10, jump = 2,
     distance = 100 },
+  ["a law that jumps"] = { law = "threshold", law_pressure = 250, stroke = 0.22, alpha = 0.4, jump = 1000 },
 } do
   figures.ok(told(fields) == "", name .. ": no warning")
 end

@@ -44,7 +44,8 @@ arc_status arc_wear_stability(arc_wear *w, const arc_callbacks *callbacks, doubl
 /* Returns true if the run makes explicit updates of whole cycles whose length (jump) the user
  * chose. */
 static int may_ripple(const arc_wear *w, const wear_block *block) {
-  return w->def.scheme == ARC_EXPLICIT && !arc_wear_jump_is_auto(&w->def) && block->periodic;
+  return w->def.scheme == ARC_EXPLICIT && !arc_wear_jump_is_auto(&w->def) &&
+         !arc_wear_has_own_steps(w) && block->periodic;
 }
 
 /* Returns an upper bound of the present eigenvalue [1/cycle]: the last computed eigenvalue times

@@ -52,6 +52,9 @@ int arc_wear_can_move(const arc_wear *w, double limit);
  * limit). */
 arc_status arc_wear_plan_step(arc_wear *w, double limit, const arc_callbacks *callbacks,
                               wear_plan *plan, int *moved, arc_error *error);
+/* Returns true if the law jumps, so that the run chooses the length of its explicit updates, and a
+ * fixed jump is only their upper limit. */
+int arc_wear_has_own_steps(const arc_wear *w);
 /* Shortens a plan to the given number of cycles. */
 void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles);
 /* Returns true if the wear of the plan is negligible compared with the wear of an automatic

@@ -148,10 +148,14 @@ static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, doub
   return ARC_OK;
 }
 
+int arc_wear_has_own_steps(const arc_wear *w) {
+  return w->def.scheme == ARC_EXPLICIT && !w->def.jump_function &&
+         arc_law_properties[w->def.law] & ARC_LAW_JUMPS;
+}
+
 static arc_status choose_jump(arc_wear *w, const arc_callbacks *callbacks, wear_plan *plan,
                               double *jump, arc_error *error) {
-  const int own = w->def.scheme == ARC_EXPLICIT && !w->def.jump_function &&
-                  arc_law_properties[w->def.law] & ARC_LAW_JUMPS;
+  const int own = arc_wear_has_own_steps(w);
   *jump = INFINITY;
   if (w->def.scheme == ARC_IMPLICIT && w->def.tolerance > 0)
     return adaptive_jump(w, plan->block, jump, error);
