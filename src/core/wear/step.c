@@ -150,7 +150,7 @@ static arc_status attempt_with_cuts(arc_wear *w, wear_plan *plan, wear_progress 
     if ((w->def.scheme != ARC_IMPLICIT && !plan->staged) || cut == most_cuts) return status;
     if (status == ARC_OK && out->record.error <= passable(plan)) return status;
     if (!plan->staged && has_outgrown(w, status)) return status;
-    const int lost = status == ARC_ZONE || (plan->staged && status == ARC_NUMERIC);
+    const int lost = status == ARC_ZONE || status == ARC_NUMERIC;
     if (status != ARC_OK && status != ARC_NOT_CONVERGED && !lost) return status;
     failures += status != ARC_OK;
     if (plan->staged && failures > patience) return status;
