@@ -179,8 +179,8 @@ static double edge_size(const arc_wear *w) {
 }
 
 /* Returns true for contacts in the plane whose mean pressure is close to the centre pressure. Their
- * ratio is 0.785 in Hertz' contacts. Bodies of revolution would need a third of the elements
- * throughout, and many times the time, for the same error. */
+ * ratio is 0.785 in Hertz' contacts. Bodies of revolution would need elements of a third of the
+ * size throughout, and many times the time, for the same error. */
 static int is_uniform(const arc_wear *w) {
   static const double uniform = 0.97;
   const arc_wear_record *now = arc_wear_last(w);
