@@ -37,17 +37,29 @@ local elements = w.history.elements
 ok(elements[1] < elements[#elements] and held.history.elements[1] == held.elements, "the history contains the number of elements")
 is(before.mesh.zone.cylinder, 0.8, "the model of the user is unchanged")
 
--- Tests that symmetric runs remain exactly symmetric, so that half of their contact solutions are sufficient.
+-- Tests that symmetric runs remain exactly symmetric, so that half of the contact solutions of a stroke are
+-- sufficient.
+local function unevenness(run)
+  local uneven = 0
+  for _, body in ipairs{ "cylinder", "plate" } do
+    local p = run:profile(body)
+    for i = 1, #p.h do
+      local image = #p.h + 1 - i
+      uneven = math.max(uneven, math.abs(p.h[i] - p.h[image]), math.abs(p.worn_x[i] + p.worn_x[image]))
+    end
+  end
+  return uneven
+end
 local both = wear{ k = 1e-5, distance = 50 }:run()
 ok(both.model.mesh.size > model{}.mesh.size, "the elements of a moving contact grow with it")
-for _, body in ipairs{ "cylinder", "plate" } do
-  local p, uneven = both:profile(body), 0
-  for i = 1, #p.h do
-    local image = #p.h + 1 - i
-    uneven = math.max(uneven, math.abs(p.h[i] - p.h[image]), math.abs(p.worn_x[i] + p.worn_x[image]))
-  end
-  is(uneven, 0.0, "a symmetric run remains exactly symmetric on the larger mesh: " .. body)
+is(unevenness(both), 0.0, "a symmetric run remains exactly symmetric on the larger mesh")
+for name, given in pairs{ ["alpha = 1"] = { alpha = 1, k = 1e-7, distance = 300 }, ["slide = z"] = { slide = "z", k = 1e-7, distance = 440 },
+  ["explicit steps"] = { slide = "z", scheme = "explicit", distance = 440 },
+  ["a ball on a track"] = { load = 50, distance = 300, track = 20, slide = "z", model = { geometry = "axisymmetric" } } } do
+  is(unevenness(wear(given):run()), 0.0, "a symmetric contact at rest remains exactly symmetric: " .. name)
 end
+ok(unevenness(wear{ slide = "z", distance = 100, load_angle = 20, load = 500, model = { upper = body.disc{ radius = 9.95 },
+  lower = body.ring{ inner = 10, outer = 20 } } }:run()) > 1e-5, "an oblique load wears asymmetrically")
 
 -- Tests a wear box with too few rows of elements: the run adds rows.
 local flat = run_on(mesh(2, 2.2, 1), { k = 2e-7, distance = 800, jump = 4 })

@@ -110,6 +110,9 @@ void arc_wear_share(const arc_wear *w, const contact_problem *p, const wear_poin
 /* Returns true if the wear of the second half of a window can be computed as the mirror image of
  * the first half. */
 int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window);
+/* Returns true if the contact of a window is at rest at x = 0, between exactly symmetric surfaces
+ * under a load along y. Its wear is symmetric up to rounding errors. */
+int arc_wear_rests_mirrored(const arc_wear *w, const wear_window *window);
 /* Returns true if a window has local factors, which may make the wear of a symmetric contact
  * asymmetric. */
 int arc_wear_has_local_factors(const arc_wear *w, const wear_window *window);
@@ -119,6 +122,8 @@ arc_status arc_wear_reflect(arc_wear *w, const wear_window *window, int at, cons
                             arc_error *error);
 /* Replaces the depths of all nodes by the mean of the depths and their mirror image about x = 0. */
 void arc_wear_symmetrise(const arc_wear *w, double *depth);
+/* Does the same with the wear of all nodes. */
+void arc_wear_symmetrise_rate(const arc_wear *w, wear_rate *rate);
 /* Extends the wear and the Jacobian of the first half of a window to the whole window. `images`
  * is the wear of the second half; NULL: it is the mirror image of the first half. */
 void arc_wear_add_mirror(const arc_wear *w, const wear_window *window, const wear_rate *images,

@@ -1,6 +1,6 @@
 /* If surfaces and motion are exactly symmetric about x = 0, the wear of the second half of a
  * stroke is the mirror image of the wear of the first half. Then only half of the contact
- * problems are solved. Symmetric runs remain exactly symmetric. */
+ * problems are solved. Symmetric runs remain exactly symmetric, also those of a contact at rest. */
 #include "core/plane/cycle.h"
 
 static int is_mirrored_motion(const wear_block *b) {
@@ -54,6 +54,22 @@ int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window) {
          is_mirrored_shape(window->shape);
 }
 
+/* Returns true if all points of a window have the load along y and the plate at x = 0. */
+static int is_centred(const wear_window *window) {
+  const wear_block *b = window->block;
+  for (int at = window->first; at <= window->last; at++)
+    if (b->problem_x[at] != 0 || b->angle[at] != 0) return 0;
+  return 1;
+}
+
+int arc_wear_rests_mirrored(const arc_wear *w, const wear_window *window) {
+  const revolution *r = &window->shape->side[ARC_UPPER].body->chart.revolved;
+  return is_centred(window) && (!r->on || r->axis == 0) && w->def.slip == ARC_SLIP_RIGID &&
+         !arc_wear_has_friction(&w->def) && !arc_wear_has_local_factors(w, window) &&
+         !arc_model_is_given(w->model) && is_mirrored_shape(window->shape) &&
+         (!window->depth || is_mirrored_depth(w, window->depth));
+}
+
 static void fold(double *a, double *b) {
   const double sum = *a + *b;
   *a = *b = sum;
@@ -81,12 +97,16 @@ static void fold_jacobian(const arc_wear *w, double *value) {
     }
 }
 
+static void symmetrise(int n, double *h) {
+  for (int i = 0; 2 * i < n; i++) h[i] = h[n - 1 - i] = (h[i] + h[n - 1 - i]) / 2;
+}
+
 void arc_wear_symmetrise(const arc_wear *w, double *depth) {
-  for (int b = 0; b < ARC_BODIES; b++) {
-    double *h = sites_from(w, depth, b);
-    const int n = sites_of(w, b);
-    for (int i = 0; 2 * i < n; i++) h[i] = h[n - 1 - i] = (h[i] + h[n - 1 - i]) / 2;
-  }
+  for (int b = 0; b < ARC_BODIES; b++) symmetrise(sites_of(w, b), sites_from(w, depth, b));
+}
+
+void arc_wear_symmetrise_rate(const arc_wear *w, wear_rate *rate) {
+  for (int b = 0; b < ARC_BODIES; b++) symmetrise(sites_of(w, b), rate->node[b]);
 }
 
 void arc_wear_add_mirror(const arc_wear *w, const wear_window *window, const wear_rate *images,

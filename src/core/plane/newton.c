@@ -62,6 +62,7 @@ static arc_status create_resting(newton *s) {
  * to rounding errors. */
 static int stays_mirrored(const wear_stage *stage) {
   const arc_wear *w = stage->run;
+  if (arc_wear_rests_mirrored(w, &stage->window)) return 1;
   return !arc_wear_has_friction(&w->def) && !arc_wear_has_local_factors(w, &stage->window) &&
          arc_wear_is_mirrored(w, &stage->window);
 }

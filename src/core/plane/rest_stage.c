@@ -125,6 +125,7 @@ arc_status arc_stage_solve_rest(newton *s, double h, double *rate) {
     soften(s, p);
     arc_status status = solve_together(s, b->line[s->at->window.first], p);
     for (int i = 0; i < s->n && status == ARC_OK; i++) s->at->z[i] += s->step[i];
+    if (s->mirrored) arc_wear_symmetrise(s->at->run, s->at->z);
     if (status == ARC_OK) status = arc_newton_evaluate(s, rate, 0);
     if (status != ARC_OK) return status;
   }
