@@ -20,12 +20,15 @@ double arc_model_wear_k(const arc_model_def *def, arc_body body) {
 }
 
 double arc_contact_mismatch(arc_space space, const arc_material material[ARC_BODIES]) {
+  static const double rounding = 1e-9; /* largest value for equal materials */
   double kappa[ARC_BODIES];
   for (int b = 0; b < ARC_BODIES; b++) {
     const arc_material m = material[b];
     kappa[b] = space == ARC_PLANE_STRESS ? (1 - m.nu) / m.E : (1 - 2 * m.nu) * (1 + m.nu) / m.E;
   }
-  return arc_contact_modulus(space, material) * (kappa[ARC_CYLINDER] - kappa[ARC_PLATE]) / 2;
+  const double beta =
+      arc_contact_modulus(space, material) * (kappa[ARC_CYLINDER] - kappa[ARC_PLATE]) / 2;
+  return fabs(beta) > rounding ? beta : 0;
 }
 
 /* --- names of bodies */

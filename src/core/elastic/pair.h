@@ -5,7 +5,7 @@
 #include "archard/model.h"
 
 /* Returns Dundurs' second constant beta [-] for a pair of materials, a measure of their elastic
- * mismatch. */
+ * mismatch. It is exactly 0 for materials that differ by rounding errors. */
 double arc_contact_mismatch(arc_space space, const arc_material material[ARC_BODIES]);
 
 /* Checks that two valid bodies form a valid pair. Errors: ARC_ARGUMENT. */

@@ -91,9 +91,8 @@ static void wrap(fretting *r) {
  * not shear each other. Bodies of finite size do. Where Hertz' formulas apply, this shear is
  * neglected, because it changes the energy of a cycle by less than 1e-4 of its value. */
 static int shear_when_pressed(const arc_wear *w) {
-  static const double same = 1e-9; /* largest Dundurs' beta of bodies of the same material */
   const arc_model_def *model = arc_model_definition(w->model);
-  return fabs(arc_contact_mismatch(model->geometry, model->material)) > same ||
+  return arc_contact_mismatch(model->geometry, model->material) != 0 ||
          !arc_model_is_hertzian(model);
 }
 
