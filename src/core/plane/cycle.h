@@ -120,10 +120,9 @@ int arc_wear_has_local_factors(const arc_wear *w, const wear_window *window);
  * of the point without local factors. */
 arc_status arc_wear_reflect(arc_wear *w, const wear_window *window, int at, const wear_point *law,
                             arc_error *error);
-/* Replaces the depths of all nodes by the mean of the depths and their mirror image about x = 0. */
+/* Replaces the depths or wear rates of all nodes by the mean of them and their mirror image about
+ * x = 0. */
 void arc_wear_symmetrise(const arc_wear *w, double *depth);
-/* Does the same with the wear of all nodes. */
-void arc_wear_symmetrise_rate(const arc_wear *w, wear_rate *rate);
 /* Extends the wear and the Jacobian of the first half of a window to the whole window. `images`
  * is the wear of the second half; NULL: it is the mirror image of the first half. */
 void arc_wear_add_mirror(const arc_wear *w, const wear_window *window, const wear_rate *images,

@@ -41,17 +41,22 @@ int arc_wear_has_local_factors(const arc_wear *w, const wear_window *window) {
   return w->def.local_factor && window->state;
 }
 
+/* Returns true if the surfaces of a window are exactly symmetric and wear by rigid slip. Returns 0
+ * for imported meshes, whose interior may be asymmetric. */
+static int has_mirrored_surfaces(const arc_wear *w, const wear_window *window) {
+  return w->def.slip == ARC_SLIP_RIGID && !arc_model_is_given(w->model) &&
+         (!window->depth || is_mirrored_depth(w, window->depth)) &&
+         is_mirrored_shape(window->shape);
+}
+
 /* Returns 0 in four cases even if surfaces and motion are symmetric: imported meshes, whose
  * interior may be asymmetric; the simple rule, which uses only one end of an increment; elastic
  * slip; and Jacobians with local factors. */
 int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window) {
   const wear_block *block = window->block;
-  return window->first == 0 && window->last == block->count - 1 &&
-         (!window->depth || is_mirrored_depth(w, window->depth)) && w->def.rule == ARC_TRAPEZOID &&
-         w->def.slip == ARC_SLIP_RIGID &&
-         !(window->tangent && arc_wear_has_local_factors(w, window)) &&
-         !arc_model_is_given(w->model) && is_mirrored_motion(block) &&
-         is_mirrored_shape(window->shape);
+  return window->first == 0 && window->last == block->count - 1 && w->def.rule == ARC_TRAPEZOID &&
+         !(window->tangent && arc_wear_has_local_factors(w, window)) && is_mirrored_motion(block) &&
+         has_mirrored_surfaces(w, window);
 }
 
 /* Returns true if all points of a window have the load along y and the plate at x = 0. */
@@ -64,10 +69,8 @@ static int is_centred(const wear_window *window) {
 
 int arc_wear_rests_mirrored(const arc_wear *w, const wear_window *window) {
   const revolution *r = &window->shape->side[ARC_UPPER].body->chart.revolved;
-  return is_centred(window) && (!r->on || r->axis == 0) && w->def.slip == ARC_SLIP_RIGID &&
-         !arc_wear_has_friction(&w->def) && !arc_wear_has_local_factors(w, window) &&
-         !arc_model_is_given(w->model) && is_mirrored_shape(window->shape) &&
-         (!window->depth || is_mirrored_depth(w, window->depth));
+  return is_centred(window) && (!r->on || r->axis == 0) && !arc_wear_has_friction(&w->def) &&
+         !arc_wear_has_local_factors(w, window) && has_mirrored_surfaces(w, window);
 }
 
 static void fold(double *a, double *b) {
@@ -97,16 +100,12 @@ static void fold_jacobian(const arc_wear *w, double *value) {
     }
 }
 
-static void symmetrise(int n, double *h) {
-  for (int i = 0; 2 * i < n; i++) h[i] = h[n - 1 - i] = (h[i] + h[n - 1 - i]) / 2;
-}
-
 void arc_wear_symmetrise(const arc_wear *w, double *depth) {
-  for (int b = 0; b < ARC_BODIES; b++) symmetrise(sites_of(w, b), sites_from(w, depth, b));
-}
-
-void arc_wear_symmetrise_rate(const arc_wear *w, wear_rate *rate) {
-  for (int b = 0; b < ARC_BODIES; b++) symmetrise(sites_of(w, b), rate->node[b]);
+  for (int b = 0; b < ARC_BODIES; b++) {
+    double *h = sites_from(w, depth, b);
+    const int n = sites_of(w, b);
+    for (int i = 0; 2 * i < n; i++) h[i] = h[n - 1 - i] = (h[i] + h[n - 1 - i]) / 2;
+  }
 }
 
 void arc_wear_add_mirror(const arc_wear *w, const wear_window *window, const wear_rate *images,

@@ -333,6 +333,6 @@ arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_progre
   const int by_work = arc_wear_has_friction(&w->def) || w->def.slip == ARC_SLIP_TOTAL;
   if (w->manner.even && by_work) spread_work(w, rate);
   incline(w, window, rate);
-  if (arc_wear_rests_mirrored(w, window)) arc_wear_symmetrise_rate(w, rate);
+  if (arc_wear_rests_mirrored(w, window)) arc_wear_symmetrise(w, rate->node[0]);
   return ARC_OK;
 }
