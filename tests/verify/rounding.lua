@@ -4,13 +4,7 @@
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below = figures.below
-
-local function with(given, more)
-  local all = {}
-  for name, value in pairs(given or {}) do all[name] = value end
-  for name, value in pairs(more) do all[name] = value end
-  return all
-end
+local with = require "archard.lib.merged"
 
 local soft = { thickness = 0.05, E = 3000, nu = 0.35 }
 local runs = {
