@@ -163,8 +163,8 @@ return {
     text = "Wear depth of the plate against x. A function is evaluated at the nodes. The points of a table are "
       .. "interpolated by splines, which are smooth inside a scar and preserve its area." },
   { "contact.half_width", kind = "field", unit = "mm",
-    text = "Half width of the contact. Its error is 0.03 element widths for unworn surfaces and 0.07 for smooth "
-      .. "worn surfaces; at edges of scars it is 0.2 element widths on average and at most 0.6." },
+    text = "Half width of the contact. Its error is at most 0.03 element widths for unworn surfaces and 0.07 for "
+      .. "smooth worn surfaces; at edges of scars it is at most 0.45, and less than 0.12 in the mean." },
   { "contact.half_width_z", kind = "field", unit = "mm",
     text = "Half width of the contact across the motion, in 3-D; 0 in 2-D." },
   { "contact.area", kind = "field", unit = "mm2", text = "Contact area in 3-D; 0 in 2-D." },
@@ -442,9 +442,9 @@ return {
       .. "With rigid slip, the wear volume of a body is its k times this integral (Eq. 15); wear laws, local "
       .. "factors and elastic slip cause differences. NaN in a run from a file older than format 4." },
   { "wear.half_width", kind = "field", unit = "mm",
-    text = "Half width of the contact, with the plate at x = 0 under the nominal load. Its error is 0.03 element "
-      .. "widths for unworn surfaces and 0.07 for smooth worn surfaces; at edges of scars it is 0.2 element widths "
-      .. "on average and at most 0.6." },
+    text = "Half width of the contact, with the plate at x = 0 under the nominal load. Its error is at most 0.03 "
+      .. "element widths for unworn surfaces and 0.07 for smooth worn surfaces; at edges of scars it is at most "
+      .. "0.45, and less than 0.12 in the mean." },
   { "wear.half_width_z", kind = "field", unit = "mm",
     text = "Half width of the contact across the motion, with the plate at x = 0, in 3-D; 0 in 2-D." },
   { "wear.area", kind = "field", unit = "mm2", text = "Area of the contact, with the plate at x = 0, in "

@@ -4,8 +4,8 @@
  * half-plane both belong to one analytic function. If c is linear in d, this function has three
  * parameters: the edge, c at the edge, and the slope of c. They are fitted to nodal forces and gaps
  * a few nodes away, where elements are accurate. Values at nearer nodes depend on where the edge
- * lies between two nodes. The law does not apply at the kinks of scars; there the edge is
- * interpolated between the last node in contact and the next node. */
+ * lies between two nodes. The law does not apply to scars, whose surfaces have kinks; there the gap
+ * outside the contact is extrapolated to 0. */
 #include "core/base/dense.h"
 #include "core/contact/contact_problem.h"
 
@@ -32,7 +32,7 @@ static double pressure(const ending *e, int step) {
 }
 
 static double gap(const ending *e, int step) {
-  return e->p->open[e->last + e->out * step];
+  return fmax(0, e->p->open[e->last + e->out * step]);
 }
 
 /* Square-root law of the pressure, c0 sqrt(d) + c1 d sqrt(d), at the distance d from the edge x. */
@@ -40,20 +40,42 @@ typedef struct edge_law {
   double x, c[2];
 } edge_law;
 
-/* Returns the position of the edge between the last node in contact (pressure q) and the next node,
- * at the distance h and with the gap g. At this position the laws of pressure and gap give the same
- * constant c. */
-static double edge_between(const ending *e) {
-  const double q = pressure(e, 0), g = gap(e, 1), h = node_x(e, 1) - node_x(e, 0);
-  double low = 0, high = h;
-  for (int i = 0; i < 60; i++) {
-    const double d = (low + high) / 2;
-    if (4 * q * (h - d) * sqrt(h - d) > 3 * e->E_star * g * sqrt(d))
-      low = d;
+/* Returns how much steeper the gap to the power 1/m is between the second and the third node
+ * outside the contact than between the first and the second. It is 0 if the gap opens with the
+ * power m. */
+static double bend_of_power(const ending *e, double m) {
+  double slope[2];
+  for (int i = 0; i < 2; i++)
+    slope[i] = (pow(gap(e, i + 2), 1 / m) - pow(gap(e, i + 1), 1 / m)) /
+               (node_x(e, i + 2) - node_x(e, i + 1));
+  return slope[1] - slope[0];
+}
+
+/* Returns the power of the distance from the edge with which the gap opens: 1 at the kink of a scar
+ * of stiff bodies, 3/2 where the surfaces are smooth, between them in other worn contacts. */
+static double find_power(const ending *e) {
+  double low = 1, high = 1.5;
+  if (e->last + 3 * e->out < 0 || e->last + 3 * e->out >= e->p->count) return high;
+  for (int i = 0; i < 50; i++) {
+    const double m = (low + high) / 2;
+    if (bend_of_power(e, m) > 0)
+      low = m;
     else
-      high = d;
+      high = m;
   }
-  return node_x(e, 0) + (low + high) / 2;
+  return (low + high) / 2;
+}
+
+/* Returns the position of the edge where the gap outside the contact, extrapolated with its power,
+ * is 0. It is between the last node in contact and the next node. */
+static double edge_between(const ending *e) {
+  const double from = node_x(e, 0), next = node_x(e, 1);
+  const int second = e->last + 2 * e->out;
+  if (second < 0 || second >= e->p->count) return (from + next) / 2;
+  const double m = find_power(e);
+  const double g = pow(gap(e, 1), 1 / m), farther = pow(gap(e, 2), 1 / m);
+  if (!(farther > g)) return from;
+  return fmax(from, next - g * (node_x(e, 2) - next) / (farther - g));
 }
 
 /* --- the law ---------------------------------------------------------------------------------- */
@@ -173,14 +195,17 @@ static int has_nodes(const ending *e, const stencil *at) {
  * no influence. If the law does not fit there, fits it at nearer nodes. Returns the weight of the
  * fitted edge: 1 if the law fits as well as in unworn contacts, 0 if it does not fit, and an
  * intermediate value between these limits. Tests with finer meshes of worn contacts showed that the
- * edge of a law that fits is more accurate than the interpolated edge. */
+ * edge of a law that fits is more accurate than the extrapolated edge `start` if both are less than
+ * `near` elements apart, and less accurate if they are more than `far` elements apart. */
 static double find_law(const ending *e, double start, edge_law *law) {
   static const stencil stencils[] = {{-4, 3, 5}, {-3, 2, 3}};
-  static const double holds = 0.018, fails = 0.024;
+  static const double holds = 0.018, fails = 0.024, near = 0.25, far = 0.4;
   double off = INFINITY;
   for (int s = 0; s < 2 && off > holds; s++)
     if (has_nodes(e, &stencils[s])) off = fit_law(e, &stencils[s], start, law);
-  return fmax(0, fmin(1, (fails - off) / (fails - holds)));
+  const double apart = fabs(law->x - start) / (node_x(e, 1) - node_x(e, 0));
+  return fmax(0, fmin(1, (fails - off) / (fails - holds))) *
+         fmax(0, fmin(1, (far - apart) / (far - near)));
 }
 
 contact_edge arc_contact_problem_edge(const contact_problem *p, const arc_shape *shape, int right) {
