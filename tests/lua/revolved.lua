@@ -1,6 +1,7 @@
 -- Tests bodies of revolution and thin plates: refused input, printed text, files.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, fails = tap.is, tap.ok, tap.fails
+local warnings = require "archard.warnings"
 
 local mesh = { size = 0.05, height = 0.05, zone = { cylinder = 1, plate = 1 } }
 local function ball(changes)
@@ -129,3 +130,13 @@ count, least = rings_of(deck_of(offset))
 is(count, offset.elements_count, "the deck of a ring contains the whole section")
 tap.near(least, 30, 1e-9, "the coordinates of a ring are radii")
 for _, ending in ipairs{ "", ".wear", ".inp" } do os.remove(name .. ending) end
+
+-- Tests the warning about a ball that has worn flat, whose radius has few elements.
+local function scatters(size, distance)
+  warnings.keep()
+  wear{ model = ball{ radius = 10, mesh = { size = size } }, load = 50, slide = "z", track = 20, k = 1e-7, alpha = 0.9, distance = distance }:run()
+  return (warnings.take() or ""):find("the contact has worn flat", 1, true) ~= nil
+end
+ok(scatters(0.04, 5e3), "a worn flat with few elements causes a warning")
+ok(not scatters(0.008, 1e3), "a worn flat with many elements causes none")
+ok(not scatters(0.04, 10), "a ball that has not worn flat causes none")

@@ -237,6 +237,11 @@ int arc_wear_layer_rows(const arc_wear *w);
  * times higher than the centre. Returns INFINITY if there is no such layer. */
 double arc_wear_exposed_width(const arc_wear *w);
 
+/* Returns true if the mean pressure is close to the centre pressure, as in a contact that has worn
+ * flat. In Hertz' contacts their ratio is 0.785 in the plane and 0.667 for balls. Returns 0 for
+ * rings. */
+int arc_wear_is_uniform(const arc_wear *w);
+
 /* Returns true if exposed layers are too narrow for the elements of an automatic mesh. */
 int arc_wear_must_refine(const arc_wear *w);
 

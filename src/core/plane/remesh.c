@@ -178,14 +178,22 @@ static double edge_size(const arc_wear *w) {
   return arc_model_size_for(fmax(unworn.edge, edge));
 }
 
-/* Returns true for contacts in the plane whose mean pressure is close to the centre pressure. Their
- * ratio is 0.785 in Hertz' contacts. Bodies of revolution would need elements of a third of the
- * size throughout, and many times the time, for the same error. */
-static int is_uniform(const arc_wear *w) {
+int arc_wear_is_uniform(const arc_wear *w) {
   static const double uniform = 0.97;
+  const arc_model_def *def = arc_model_definition(w->model);
   const arc_wear_record *now = arc_wear_last(w);
-  if (arc_model_body(w->model, ARC_UPPER)->chart.revolved.on) return 0;
-  return w->def.load > uniform * now->p_center * 2 * now->half_width * w->manner.thickness;
+  const int ball = def->geometry == ARC_AXISYMMETRIC;
+  if (ball && def->axis > 0) return 0;
+  const double across = ball ? acos(-1) * now->half_width : 2 * w->manner.thickness;
+  return w->def.load > uniform * now->p_center * now->half_width * across;
+}
+
+/* Returns how many times as many elements as an unworn contact has are in a worn one. Bodies of
+ * revolution with uniform pressure would need elements of a third of the size throughout, and many
+ * times the time, for the same error as in the plane; a warning gives their error. */
+static double richness(const arc_wear *w) {
+  const int plane = arc_model_definition(w->model)->geometry != ARC_AXISYMMETRIC;
+  return plane && arc_wear_is_uniform(w) ? rich * full : rich;
 }
 
 static void scale_size(arc_model_def *def, double by) {
@@ -200,8 +208,7 @@ static void refine(const arc_wear *w, arc_model_def *def) {
 
 /* Exposed layers become narrower as the scar grows. Their elements therefore have a reserve. */
 static void coarsen(const arc_wear *w, arc_model_def *def) {
-  const double more = is_uniform(w) ? rich * full : rich;
-  const double fitted = arc_model_size_for(arc_wear_last(w)->half_width) / more;
+  const double fitted = arc_model_size_for(arc_wear_last(w)->half_width) / richness(w);
   const double soon = sqrt(sqrt(ratio)); /* a slightly earlier change to larger elements avoids
                                             another remeshing */
   const double edges = edge_size(w) / ratio, layers = exposed_layer_size(w) / (ratio * ratio);
