@@ -252,9 +252,9 @@ fails(function() fit.design{ unknown = unknown, measure = { { of = "volume", dis
   { "measure[1]", "error" }, "a planned measurement without an error")
 
 -- Tests designs with measured widths. A computed width changes in steps from node to node, so derivatives
--- with respect to k need a wide range. On elements of 5 um the standard errors of k from single widths are
--- 27, 28, 28 and 38 %, as on the default mesh. Derivatives over the narrower range of a fit give 41, 45, 15
--- and 41 %.
+-- with respect to k need a wide range. With a quarter of the element size the standard errors of k from single
+-- widths are 30, 28, 29 and 40 %, on the default mesh 27, 30, 27 and 29 %. Derivatives over the narrower range of a
+-- fit would scatter more.
 local widths = fit.design{ base = { stroke = 0.22, jump = 50 }, unknown = unknown,
   measure = { { of = "width", distance = { 150, 300, 660, 1320 }, relative = 0.02 } } }
 for _, one in ipairs(widths.alone) do
