@@ -385,7 +385,9 @@ refused({ friction = { distance = { 0, 1 }, value = { 0.6, 0.5 } },
     "a tangential force at zero load")
 refused({ friction = 0, loading = { tangential = { 0, 5, 0 } } }, "loading[1].tangential",
   "a tangential force in a loading without friction")
-refused({ loading = { x = { 0, 0.1 } } }, "ends where it begins", "a loading that does not end at its start")
+refused({ loading = { x = { 0, 0.1 } } }, { "ends where it begins", "by 0.1 mm" }, "a loading that does not end at its start")
+refused({ loading = { tangential = { 0, 10, -10, 1e-5 }, load = { 100, 90, 100, 100 - 1e-6 } } }, { "by 1e-05 N", "by -1e-06 N" },
+  "a loading that nearly ends at its start")
 refused({ stroke = 0.1, press = "hard" }, { "field 'press'", "\"frictionless\"", "hard" }, "an unknown value of press")
 refused({ stroke = 0.1, update = "increment" }, "field 'update'", "friction with updates within a cycle")
 refused({ stroke = 0.1, slide = "z" }, "field 'slide'", "friction with sliding out of the plane")

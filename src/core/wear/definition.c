@@ -130,11 +130,13 @@ static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int
                     number);
   const double *drive = l->tangential ? l->tangential : l->x;
   if (closes(l->count, drive) && closes(l->count, l->load)) return ARC_OK;
-  return arc_fail(error, ARC_ARGUMENT,
-                  "field 'loading[%d]': with friction expected a cycle that ends where it begins, "
-                  "got %s = %g and %g %s, load = %g and %g N",
-                  number, l->tangential ? "tangential" : "x", drive[0], drive[last],
-                  l->tangential ? "N" : "mm", l->load[0], l->load[last]);
+  return arc_fail(
+      error, ARC_ARGUMENT,
+      "field 'loading[%d]': with friction expected a cycle that ends where it begins, "
+      "got %s, which changes by %g %s from its first to its last value, and a load that "
+      "changes by %g N",
+      number, l->tangential ? "tangential" : "x", drive[last] - drive[0],
+      l->tangential ? "N" : "mm", l->load[last] - l->load[0]);
 }
 
 /* Returns true if the load of a loading changes, which causes slip between bodies of different
