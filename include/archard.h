@@ -19,5 +19,6 @@
 #include "archard/space.h"
 #include "archard/store.h"
 #include "archard/wear.h"
+#include "archard/wear_settings.h"
 
 #endif
