@@ -5,7 +5,7 @@
 
 local radius, load, track = 10, 50, 20 -- mm, N, mm
 local exact = hertz{ geometry = "axisymmetric", radius = radius, load = load }
-local pair = model{ geometry = "axisymmetric", radius = radius, mesh = { size = 0.02, height = 0.02, rows = 4,
+local pair = model{ geometry = "axisymmetric", radius = radius, mesh = { size = 0.01, height = 0.02, rows = 4,
   zone = { cylinder = 2.6, plate = 2.6 } } }
 local new = contact{ model = pair, load = load }
 print(("new: %.1f MPa, %.2f um together; by Hertz %.1f MPa, %.2f um"):format(new.p_center, 1e3 * new.approach, exact.p_max,
