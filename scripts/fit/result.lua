@@ -8,6 +8,10 @@ local unknown = require "archard.fit.unknown"
 
 local result = {}
 
+-- Intervals include this many times the change of a value with half the element size. The error due to the mesh
+-- is at most twice this change if it decreases at least in proportion to the element size.
+local by_mesh = 2
+
 -- --- numbers -------------------------------------------------------------------------------------
 
 -- Returns the values of the unknowns in a table by name. The value of a curve is the list of its knot values.
@@ -120,7 +124,9 @@ local function curves(self, problem, found, scale)
       for a = 1, #found.covariance do
         derivative[a] = shifted[a] and (shifted[a][1][i] - value) / shifted[a][2] or 0
       end
-      local margin = self.times * scale * along(found.covariance, derivative)
+      local change = 0
+      for a, by in ipairs(found.by_mesh or {}) do change = change + derivative[a] * by end
+      local margin = self.times * scale * along(found.covariance, derivative) + by_mesh * math.abs(change)
       low[i], high[i] = clipped(one, value - margin), clipped(one, value + margin)
     end
     list[curve.path] = series
@@ -198,12 +204,13 @@ local function note_rippled(notes, problem)
   end
 end
 
-local function note_residuals(notes, self)
+local function note_residuals(notes, self, rippled)
   if not self.told or self.freedom < 1 then return end
   local off = (self.reduced - 1) / math.sqrt(2 / self.freedom)
   if off > 4 then
     notes[#notes + 1] = ("residuals are %.2g times the given errors: the errors are too small or the model "
-      .. "is incomplete; the standard errors assume the given errors"):format(math.sqrt(self.reduced))
+      .. "is incomplete; the standard errors %s"):format(math.sqrt(self.reduced), rippled
+      and "are increased by this factor" or "assume the given errors")
   elseif off < -4 then
     notes[#notes + 1] = ("residuals are only %.2g times the given errors: are the errors too large?"):format(
       math.sqrt(self.reduced))
@@ -217,7 +224,11 @@ local function notes_of(self, problem, found, deviation)
   note_correlated(notes, self, problem, found)
   note_vague(notes, problem, found, deviation)
   note_rippled(notes, problem)
-  note_residuals(notes, self)
+  if found.mesh_failed then
+    notes[#notes + 1] = ("the error due to the mesh is unknown, because a run with half the element size failed: %s"):format(
+      found.mesh_failed)
+  end
+  note_residuals(notes, self, next(problem.rippled) ~= nil)
   return notes
 end
 
@@ -225,7 +236,8 @@ end
 
 local class = { __name = "fitted", __methods = {}, __fields = { "value", "error", "low", "high", "names", "values", "errors",
   "correlation", "covariance", "confidence", "chi2", "freedom", "reduced", "told", "data", "curve", "band", "notes",
-  "iterations", "runs", "noise", "smooth", "wear", "times" } }
+  "iterations", "runs", "noise", "smooth", "wear", "times", "margins",
+  "mesh" } }
 
 local function shown(value) return ("%.4g"):format(value) end
 
@@ -233,9 +245,9 @@ local function line_of(self, i, unit)
   local text = ("  %-16s %s"):format(self.names[i], shown(self.values[i]))
   unit = unit ~= "" and " " .. unit or ""
   if self.errors[i] == math.huge then return ("%s%s, without a standard error"):format(text, unit) end
-  local margin = self.times * self.errors[i]
   return ("%s +- %s%s, %s to %s"):format(text, ("%.2g"):format(self.errors[i]), unit,
-    shown(clipped(self.bounds[i], self.values[i] - margin)), shown(clipped(self.bounds[i], self.values[i] + margin)))
+    shown(clipped(self.bounds[i], self.values[i] - self.margins[i])),
+    shown(clipped(self.bounds[i], self.values[i] + self.margins[i])))
 end
 
 local function rms(list)
@@ -257,6 +269,19 @@ local function data_line(item)
     end
   end
   return line
+end
+
+-- Returns a line on the changes due to the mesh if they are at least a tenth of an interval, else nil.
+local function mesh_line(self, changes)
+  local words, counts = {}, false
+  for i, change in ipairs(changes) do
+    if self.errors[i] < math.huge then
+      words[#words + 1] = ("%s by %.2g"):format(self.names[i], change)
+      counts = counts or by_mesh * math.abs(change) > 0.1 * self.margins[i]
+    end
+  end
+  return counts and ("  mesh             half the element size changes %s; the ranges include twice this"):format(
+    table.concat(words, ", ")) or nil
 end
 
 -- Adds the correlations to the lines, three pairs on each line. With more than ten pairs none is added.
@@ -292,6 +317,7 @@ function class.__tostring(self)
   for i in ipairs(self.names) do lines[#lines + 1] = line_of(self, i, self.units[i]) end
   lines[#lines + 1] = ("  +-: standard error; range: %g %% confidence%s"):format(100 * self.confidence,
     self.told and "" or "; errors of the data estimated from the residuals")
+  lines[#lines + 1] = rawget(self, "mesh_line")
   add_correlations(lines, self)
   if self.smooth > 0 then lines[#lines + 1] = ("  smoothness       weight %.3g"):format(self.smooth) end
   for _, item in ipairs(self.data) do lines[#lines + 1] = data_line(item) end
@@ -310,6 +336,13 @@ local function sum_of_squares(problem, values)
   return sum
 end
 
+-- Returns the factor from the errors of the data to the errors of the values. Residuals above the given errors
+-- increase it only for values that change in steps, whose scatter is known only approximately.
+local function scale_of(self, problem)
+  if not self.told then return math.sqrt(self.reduced) end
+  return next(problem.rippled) and math.sqrt(math.max(1, self.reduced)) or 1
+end
+
 local function head(list, count) return table.move(list, 1, count, 1, {}) end
 
 -- Makes the result of a fit. problem: from fit/problem.lua; found: from fit/solve.lua; told: true if the user
@@ -320,18 +353,22 @@ function result.new(problem, found, told, confidence)
     runs = problem.runs.count, noise = problem.noise, smooth = problem.smooth, bounds = problem.unknowns }
   self.chi2, self.freedom = sum_of_squares(problem, found.values), count - #problem.parameters
   self.reduced = self.chi2 / math.max(1, self.freedom)
-  local scale = told and 1 or math.sqrt(self.reduced)
+  local scale = scale_of(self, problem)
   self.times = statistics.student(confidence, told and statistics.known or self.freedom)
   local deviation = deviations(found, problem, scale)
   self.names, self.units, self.values, self.errors = {}, {}, head(found.values, m), head(deviation, m)
+  local changes = found.by_mesh and head(found.by_mesh, m)
+  self.margins, self.mesh = {}, changes and by_path(problem, changes)
   local low, high = {}, {}
   for i, one in ipairs(problem.unknowns) do
     self.names[i], self.units[i] = one.name, one.unit
-    low[i] = clipped(one, self.values[i] - self.times * self.errors[i])
-    high[i] = clipped(one, self.values[i] + self.times * self.errors[i])
+    self.margins[i] = self.times * self.errors[i] + by_mesh * math.abs(changes and changes[i] or 0)
+    low[i] = clipped(one, self.values[i] - self.margins[i])
+    high[i] = clipped(one, self.values[i] + self.margins[i])
   end
   self.value, self.error = by_path(problem, self.values), by_path(problem, self.errors)
   self.low, self.high = by_path(problem, low), by_path(problem, high)
+  self.mesh_line = changes and mesh_line(self, changes)
   self.covariance, self.correlation = found.covariance, correlations(found)
   self.data = described(self, problem, found, scale, deviation)
   self.curve, self.band = curves(self, problem, found, scale)

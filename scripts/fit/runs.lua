@@ -3,6 +3,7 @@
 -- computed again, even in a later call.
 
 local check = require "archard.lib.check"
+local finer = require "archard.fit.finer"
 local observe = require "archard.study.observe"
 local settings = require "archard.definition.settings"
 local transaction = require "archard.study.transaction"
@@ -12,10 +13,10 @@ local runs = {}
 runs.__index = runs
 
 -- Returns the label of a run: the names and values of the unknowns, with all digits.
-local function label_of(self, values)
+local function label_of(self, values, refined)
   local words = {}
   for i, one in ipairs(self.unknowns) do words[i] = ("%s %.17g"):format(one.name, values[i]) end
-  return table.concat(words, ", ")
+  return table.concat(words, ", ") .. (refined and ", half the element size" or "")
 end
 
 local function deep(where, given, prefix)
@@ -26,14 +27,15 @@ local function deep(where, given, prefix)
   return copy
 end
 
--- Returns the fields of wear{} of a run. values: values of the unknowns.
-function runs:given(values)
+-- Returns the fields of wear{} of a run. values: values of the unknowns; refined: true to halve the element
+-- sizes, which the model must allow.
+function runs:given(values, refined)
   local given = deep(self.where, self.base, "base.")
   for name, value in pairs(unknown.settings(self.unknowns, values)) do
     local at, last = settings.place(given, name)
     at[last] = value
   end
-  return given
+  return refined and finer(self.where, given) or given
 end
 
 -- --- runs in this process ------------------------------------------------------------------------
@@ -46,9 +48,9 @@ local function fail_at(self, label, why)
 end
 
 -- Computes one run and stores its results. Only the first run of a fit prints its warnings.
-local function compute_here(self, label, values)
+local function compute_here(self, label, values, refined)
   if self.count > 0 then warn "@off" end
-  local fine, readings, run = pcall(observe.run, self:given(values), self.what)
+  local fine, readings, run = pcall(observe.run, self:given(values, refined), self.what)
   warn "@on"
   if not fine then fail_at(self, label, readings) end
   run:close()
@@ -105,7 +107,8 @@ local function add_cases(self, store, wanted)
       self.last = self.last + 1
       self.cases[each.label] = self.last
       store:add(self.last, each.label)
-      store:set_values(self.last, "settings", carried(settings.flatten(self.where, self:given(each.values))))
+      store:set_values(self.last, "settings", carried(settings.flatten(self.where,
+        self:given(each.values, each.refined))))
     end
   end
 end
@@ -141,24 +144,29 @@ end
 
 -- Returns the results of one run for each set of values in `list`, in the order of `list`. Runs that are not
 -- yet known are computed.
-function runs:many(list)
+function runs:many(list, refined)
   local wanted, seen, result = {}, {}, {}
   for _, values in ipairs(list) do
-    local label = label_of(self, values)
+    local label = label_of(self, values, refined)
     if not self.known[label] and not seen[label] then
-      wanted[#wanted + 1], seen[label] = { label = label, values = values }, true
+      wanted[#wanted + 1], seen[label] = { label = label, values = values, refined = refined }, true
     end
   end
   if self.file and #wanted > 0 then
     compute_by_workers(self, wanted)
   else
-    for _, each in ipairs(wanted) do compute_here(self, each.label, each.values) end
+    for _, each in ipairs(wanted) do compute_here(self, each.label, each.values, each.refined) end
   end
-  for i, values in ipairs(list) do result[i] = self.known[label_of(self, values)] end
+  for i, values in ipairs(list) do result[i] = self.known[label_of(self, values, refined)] end
   return result
 end
 
 function runs:one(values) return self:many{ values }[1] end
+
+-- Returns the results of a run with half the element size; nil if the model has no element sizes.
+function runs:refined(values)
+  return finer(self.where, self.base) and self:many({ values }, true)[1] or nil
+end
 
 -- Returns the run for a set of values as a wear object, advanced to the last distance.
 function runs:wear(values)

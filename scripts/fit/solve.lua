@@ -277,6 +277,32 @@ local function choose_weight(problem, found)
   return best
 end
 
+-- --- error due to the mesh -----------------------------------------------------------------------
+
+-- Returns how much each parameter changes, to first order, if the runs have elements of half the size; nil if
+-- the model has no element sizes, or if such a run fails, with the reason.
+local function change_by_mesh(problem, found)
+  local own = table.move(found.values, 1, #problem.unknowns, 1, {})
+  local fine, readings = pcall(problem.runs.refined, problem.runs, own)
+  if not fine then
+    local message, code = check.reason(readings)
+    if code == "STOPPED" then error(readings, 0) end
+    return nil, (message or tostring(readings)):match("[^\n]*")
+  end
+  if not readings then return nil end
+  local usual, refined = problem:predict(problem:runs_at(own), found.values), problem:predict(readings, found.values)
+  local gradient, change = {}, {}
+  for j, column in ipairs(found.columns) do
+    gradient[j] = 0
+    for i, value in ipairs(usual) do gradient[j] = gradient[j] + column[i] * (refined[i] - value) end
+  end
+  for a, row in ipairs(found.covariance) do
+    change[a] = 0
+    for b, value in ipairs(row) do change[a] = change[a] - value * gradient[b] end
+  end
+  return change
+end
+
 -- --- complete fit ---------------------------------------------------------------------------------
 
 -- Computes the best parameters of a problem. weight: weight of the roughness, or "auto" for cross-validation;
@@ -298,6 +324,7 @@ function solve.fit(problem, weight, told)
     found = settle(problem)
     found.iterations = found.iterations + before
   end
+  found.by_mesh, found.mesh_failed = change_by_mesh(problem, found)
   return found
 end
 

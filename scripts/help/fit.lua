@@ -11,7 +11,8 @@ return {
       .. "nonlinear least squares (Levenberg and Marquardt) of (model - data) / error. Derivatives are finite "
       .. "differences between runs, with steps chosen from the noise of the runs. Data of several kinds need "
       .. "standard errors. For data of one kind they can be omitted and are then estimated from the residuals. "
-      .. "Standard errors, correlations and bands are linearised at the result. fit{} refuses too few data, "
+      .. "Standard errors, correlations and bands are linearised at the result. Intervals also include the error due "
+      .. "to the mesh (f.mesh). fit{} refuses too few data, "
       .. "implausible units and an unknown without effect. A fit that does not converge raises an error with the "
       .. "last values; better start values, bounds (low, high) or fewer unknowns can help." },
   { "fit.best", type = "table { value=, chi2=, runs= }",
@@ -96,12 +97,20 @@ return {
   { "fitted.value", kind = "field",
     text = "Identified values by name, such as f.value.k; for a curve, the list of its values at the knots." },
   { "fitted.error", kind = "field",
-    text = "Standard errors by name; infinite for a parameter that is at a bound or not determined by the data." },
-  { "fitted.low", kind = "field", text = "Lower ends of the confidence intervals of the parameters, by name." },
+    text = "Standard errors by name; infinite for a parameter that is at a bound or not determined by the data. If "
+      .. "values change in steps from node to node, residuals above the given errors increase them." },
+  { "fitted.low", kind = "field",
+    text = "Lower ends of the confidence intervals of the parameters, by name. The intervals include twice the "
+      .. "changes f.mesh." },
   { "fitted.high", kind = "field", text = "Upper ends of the confidence intervals of the parameters, by name." },
   { "fitted.names", kind = "field", text = "Names of the parameters, in the order of f.values." },
   { "fitted.values", kind = "field", text = "Values of the parameters as a list, in the order of f.names." },
   { "fitted.errors", kind = "field", text = "Standard errors as a list, in the order of f.names." },
+  { "fitted.margins", kind = "field", text = "Half widths of the confidence intervals as a list, in the order of "
+    .. "f.names." },
+  { "fitted.mesh", kind = "field",
+    text = "Changes of the values if the elements had half the size, by name, from one more run. nil without "
+      .. "element sizes (3-D, springs, imported meshes) or if this run fails." },
   { "fitted.correlation", kind = "field",
     text = "Matrix of the correlations of the parameters, f.correlation[i][j]. The unknowns are first, then the "
       .. "identified offsets of the profiles." },
@@ -109,7 +118,8 @@ return {
     text = "Matrix of the covariances of the parameters for the given errors, in the order of f.correlation." },
   { "fitted.confidence", kind = "field", text = "Confidence level of intervals and bands." },
   { "fitted.times", kind = "field",
-    text = "Half width of a confidence interval divided by the standard error: Student's factor, about 2." },
+    text = "Half width of a confidence interval, without the effect of the mesh, divided by the standard error: "
+      .. "Student's factor, about 2." },
   { "fitted.chi2", kind = "field", text = "Sum of the squares of residual / error over all measured values." },
   { "fitted.freedom", kind = "field", text = "Degrees of freedom: number of measured values minus number of "
     .. "parameters." },

@@ -5,7 +5,7 @@
 local trial = dofile("tests/verify/lib/fit_trials.lua")
 local count = tonumber(arg[1]) or 100
 
-for _, kind in ipairs{ "pair", "curve", "width" } do
+for _, kind in ipairs{ "pair", "curve", "width", "fine", "fine width" } do
   local hits, longest, total = {}, 0, 0
   for seed = 1, count do
     local inside, seconds = trial(seed, kind)
@@ -13,8 +13,8 @@ for _, kind in ipairs{ "pair", "curve", "width" } do
     longest, total = math.max(longest, seconds), total + seconds
   end
   for _, name in ipairs(require "archard.lib.keys"(hits)) do
-    print(("%-6s %-17s inside the range in %d of %d fits"):format(kind, name, hits[name], count))
+    print(("%-10s %-17s inside the range in %d of %d fits"):format(kind, name, hits[name], count))
   end
-  print(("%-6s a fit takes %.2f s on average, %.2f s at most (processor time)"):format(kind,
+  print(("%-10s a fit takes %.2f s on average, %.2f s at most (processor time)"):format(kind,
     total / count, longest))
 end

@@ -26,6 +26,9 @@ near(f.value.alpha, 0.3, 1e-5, "alpha from exact data")
 near(f.data[1].place.shift.value, 0.004, 1e-4, "the shift of a profile")
 near(f.data[1].place.level.value, 1e-4, 1e-4, "the level of a profile")
 ok(f.low.k < 1.4e-8 and f.high.k > 1.4e-8 and f.error.k > 0, "the 95 % range contains the true k")
+near(f.high.k - f.value.k, f.times * f.error.k + 2 * math.abs(f.mesh.k), 1e-12,
+  "a range is the standard error times f.times, and twice the change with half the element size")
+near(f.margins[1], f.high.alpha - f.value.alpha, 1e-12, "half widths of the ranges as a list")
 is(f.freedom, #data[1].profile.x + #data[2].profile.x + 1 - 8, "degrees of freedom")
 is(f.wear.distance, 220.0, "the run of a fit is at the last measured distance")
 near(f.wear.k, f.value.k, 1e-15, "the run of a fit has the fitted k")
@@ -160,6 +163,17 @@ local smooth = fit{ base = base, data = { shares },
   unknown = { alpha = { start = 0.5, knots = { 0, 50, 130, 220 }, smooth = "auto" } } }
 ok(smooth.smooth > 0, "cross-validation chooses a weight of smoothness")
 near(smooth.value.alpha[4], 0.35, 0.05, "smoothing does not change the fitted values")
+
+-- a run on a finer mesh that fails does not fail the fit
+local function fails_on_finer_mesh(_, x)
+  local size = math.abs(x)
+  if size > 0.005 and size < 0.015 then error("a node near x = 0.01 mm") end
+  return 1
+end
+local unrefined = fit{ base = { local_factor = fails_on_finer_mesh }, unknown = { k = 2e-8 },
+  data = { { of = "depth_plate", distance = { 20, 40 }, value = { 1e-4, 2e-4 } } } }
+is(unrefined.mesh, nil, "no error due to the mesh if the run on the finer mesh fails")
+holds(tostring(unrefined), { "half the element size failed", "a node near" }, "the reason is a note")
 
 -- --- run files -----------------------------------------------------------------------------------
 local function stored(workers, other)

@@ -36,6 +36,7 @@ ok(math.abs(f.value.k - 1.3e-8) < f.error.k, "the error of k is below its standa
 near(f.data[1].place.shift.value, 0.003, 1e-2, "shift of a section along the motion")
 near(f.data[2].place.shift.value, -0.004, 1e-2, "shift of a section across the motion")
 holds(tostring(f), { "along the motion at z = 0 mm", "across the motion at x = 0.05 mm" }, "print(f) names the sections")
+is(f.mesh, nil, "a fit in 3-D computes no error due to the mesh")
 local again = fit{ base = test, unknown = unknown, data = data, file = file, workers = 2 }
 is(again.value.k, f.value.k, "a fit with sections is read from its file")
 is(again.runs, 0, "a repeated fit needs no run")
