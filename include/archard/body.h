@@ -143,8 +143,8 @@ int arc_body_is_hollow(const arc_body_def *def);
 int arc_body_is_round(const arc_body_def *def);
 int arc_body_is_flat(const arc_body_def *def);
 
-/* Returns the radius of the surface [mm]: negative for a hollow surface, INFINITY for a flat
- * one. */
+/* Returns the radius of curvature of the surface [mm]: negative if it is concave, INFINITY if it is
+ * flat. */
 double arc_body_radius(const arc_body_def *def);
 
 /* Returns true if the body has a radius of curvature across the motion (along z), which only 3-D

@@ -146,9 +146,9 @@ typedef struct arc_wear_target {
   double value;
 } arc_wear_target;
 
-/* Makes steps like arc_wear_run, but ends at the first of `count` targets (with a relative
- * tolerance of 1e-9). *reached is the index of this target, or -1. If a column jumps past its
- * target, the run ends at the jump. */
+/* Makes steps like arc_wear_run, but ends when one of the `count` targets is reached (with a
+ * relative tolerance of 1e-9). *reached is the index of this target, or -1. If a quantity changes
+ * discontinuously across its target, the run ends at the discontinuity. */
 arc_status arc_wear_run_until(arc_wear *wear, double distance, const arc_wear_target *targets,
                               size_t count, const arc_callbacks *callbacks, int *reached,
                               arc_error *error);

@@ -133,9 +133,9 @@ local function need_distance(where, prefix, given, what)
     given.distance)
 end
 
--- Returns the start value of a profile's shift [mm]. named: the ends { from, to } of the scar stored with
--- the profile, or nil. The start value is the middle of the scar. Without stored ends, the scar is detected
--- in the depths; if it contains x = 0 within its margins, the start value is 0.
+-- Returns the start value of a profile's shift [mm]: the middle of the scar. named: the ends { from, to } of
+-- the scar stored with the profile, or nil. Without stored ends, the scar is detected in the depths, and the
+-- start value is 0 if no scar is detected or if x = 0 is in the scar or in the margins beside it.
 local function start_of(x, h, named)
   if named then return (named.from + named.to) / 2 end
   local heights = {}

@@ -135,11 +135,12 @@ return {
   { "plot", kind = "function", use = 'plot.profile(w)   plot.history(w, "depth_plate", { file="wear.png" })\n'
     .. "plot{ {x=..., y=..., title=...}, ..., xlabel=..., file=... }",
     text = "plot.profile, plot.history, plot.pressure and others draw results of a run w: the worn profiles, "
-      .. "a column of its history over the distance. All accept the fields below, such as file, in a table "
-      .. "at the end. plot{} draws curves of lists: the list part of its table contains the curves; NaN and "
-      .. "infinite values interrupt a line. Pictures are drawn with gnuplot in the terminal, a window or a "
-      .. "file. In titles \\alpha becomes the Greek letter, and p_H and mm^2 have a subscript and a "
-      .. "superscript (in files and windows). More than eight curves are labelled at their ends." },
+      .. "a column of its history against the distance. All accept the fields below, such as file, in a table "
+      .. "at the end. plot{} draws curves from lists of x and y, given as the items of its table; NaN and "
+      .. "infinite values interrupt a curve. Pictures are drawn with gnuplot in the terminal, a window "
+      .. "or a file. In titles \\alpha becomes the Greek letter; in files and windows p_H has a subscript "
+      .. "and mm^2 a superscript. With more than eight curves, each is labelled at its end instead of in the "
+      .. "legend." },
   { "plot{x}", type = "list", text = "For a curve: list of its abscissae; default: 1, 2, 3, ..." },
   { "plot{y}", type = "list", text = "For a curve: list of its ordinates." },
   { "plot{value}", type = "list",

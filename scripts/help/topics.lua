@@ -74,9 +74,9 @@ the upper body and "plate" the lower body, whatever their shapes; results also h
   zone           contact zone: the part of a surface with small elements]] },
 
   { "axisymmetric", [[
-model{ geometry = "axisymmetric" } defines bodies of revolution about a vertical axis: the cylinder is a ball, the block a disc, a
-punch a pin with a flat end. Loads are total forces, volumes are those of the whole ring in mm3, and half_width is the radius of the
-contact. With axis = 40 the axis is 40 mm left of x = 0, and 40 mm is the mean radius of a thrust ring.
+model{ geometry = "axisymmetric" } defines bodies of revolution about a vertical axis: a cylinder becomes a ball, a block a disc, and
+a punch a pin with a flat end. Loads are total forces, volumes [mm3] are those of the whole circumference, and half_width is the radius
+of the contact. With axis = 40 the axis is 40 mm left of x = 0, and 40 mm is the mean radius of a thrust ring.
 
 The contact has a fixed position, and the bodies slide along z, the circumferential direction. wear{} therefore needs slide = "z" and one of these:
 

@@ -1,5 +1,5 @@
--- Runs of joints, wear{ model=j, loading=gait "iso" }: computes the steps over blocks of gaits, the history
--- and the maps. A step that fails does not change the run. Lengths are in mm.
+-- Wear runs of joints, wear{ model=j, loading=gait "iso" }. The loading consists of blocks of cycles with a
+-- gait. Computes the steps, the history and the maps. A step that fails does not change the run. Lengths are in mm.
 
 local bodies = require "archard.joint.bodies"
 local check = require "archard.lib.check"

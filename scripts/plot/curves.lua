@@ -140,7 +140,7 @@ local function largest(values)
   return result
 end
 
--- Adds a dashed line at the bottom of each layer of a body that is worn by at least half of the depth of the line.
+-- Adds a dashed line at the bottom of each layer if the body is worn by at least half of the depth of this line.
 local function add_layers(panel, object, body, depth)
   for _, role in ipairs(roles) do
     local layers = naming.body("plot.profile", object, role) == body and get(get(get(object, "model"), role), "layers")

@@ -1,4 +1,4 @@
--- Runs the shares of a study as a Slurm job array with sbatch and squeue. All engines of study/submit.lua
+-- Runs the parts (shares) of a study as a Slurm job array with sbatch and squeue. All engines of study/submit.lua
 -- have this interface:
 --   program               name of a program that must be in PATH
 --   start(job)            starts the shares; returns the name of the job, or nil and the reason

@@ -188,7 +188,7 @@ local class = strict.class{ __name = "calibration", __fields = { "k", "alpha", "
   "depth_partition", "spread", "low", "high", "confidence", "measurements", "points", "band", "mean",
   "simulated_depth", "measured_depth", "conditions", "runs" } }
 
--- Returns a line of text with the value of a quantity and, if known, its spread and its confidence range.
+-- Returns a line of text with the value of a quantity and, if known, its spread and its confidence interval.
 local function number_line(self, name, format, text)
   local value, spread = self[name], self.spread[name]
   local low, high = (self.low or {})[name], (self.high or {})[name]

@@ -123,9 +123,9 @@ local function display(total, mode)
   }
 end
 
-local patience = 30 -- largest number of failed queries of the engine in succession
+local patience = 30 -- largest number of consecutive failed queries of the job's state
 
--- Waits until the job has ended. The interval between queries of the engine increases to 10 s.
+-- Waits until the job has ended. The interval between queries of its state increases to 10 s.
 local function follow(job, total, mode)
   local shown <close> = setmetatable(display(total, mode), { __close = function(self) self.close() end })
   local pause, silent = 0.2, 0

@@ -60,7 +60,7 @@ local function tolerance_of(definition) return definition.steps_chosen and 0.02 
 -- compared with it.
 local function check_repeats(run, definition, distances)
   local state = outcomes.usual(run)
-  if state[3] == "p_peak" then state[3] = nil end -- p_peak is not compared, because it changes from step to step
+  if state[3] == "p_peak" then state[3] = nil end -- p_peak is not compared, because it depends on the lengths of the steps
   local again, tolerance = repeated.run(definition, distances, state), tolerance_of(definition)
   for i, value in ipairs(values_of(run, state)) do
     if math.abs(value - again[i]) > tolerance * math.abs(value) then

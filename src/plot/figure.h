@@ -141,8 +141,8 @@ void arc_look_draw_key(arc_writer *w);
  * square. */
 void arc_plot_grid(const arc_plot_figure *figure, int *rows, int *columns);
 
-/* Returns the extent of a panel's data. If the user set an end of a range, it replaces the end of
- * the data. */
+/* Returns the limits of a panel's data. Axis limits that the user set replace the limits of the
+ * data. */
 arc_plot_box arc_plot_extent(const arc_plot_panel *panel);
 
 /* --- canvas.c --------------------------------------------------------------------------------- */

@@ -1,5 +1,5 @@
-/* The only file that calls SQLite. Translates the codes of SQLite to statuses and messages with
- * advice. Restricts SQLite to the run file, its journal and files without a name. */
+/* The only file that calls SQLite. Translates result codes of SQLite to statuses and messages with
+ * advice. Lets SQLite open only the run file, its journal and unnamed temporary files. */
 #include "store/database.h"
 #include "archard/lock.h"
 #include "store/journal.h"

@@ -50,8 +50,8 @@ static arc_status check_same_study(arc_store *store, const char *from, arc_error
   " WHERE case_id IN (SELECT a.id FROM main.cases a JOIN other.cases b ON a.id = b.id"             \
   " WHERE a.status = 'done' AND b.status = 'done')"
 
-/* Returns an error if a case is finished in both files with different results. The results of a
- * case that was computed twice are equal in every bit and are accepted. */
+/* Returns an error if both files contain results of the same finished case that differ. A case that
+ * was computed twice has identical results, because runs are reproducible, and is accepted. */
 static arc_status check_same_results(arc_store *store, const char *from, arc_error *error) {
   static const char *const parts[] = {DIFFERS("results", VALUES, IN_BOTH),
                                       DIFFERS("history", HISTORY, IN_BOTH),

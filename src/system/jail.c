@@ -174,7 +174,8 @@ static int confine_files(const arc_jail *jail) {
 }
 
 /* Enters a domain of Landlock of its own. A process cannot read the memory or use the files of a
- * process outside its domain, such as its parent. The rule itself refuses only devices. */
+ * process outside its domain, such as its parent. A ruleset must not be empty; this one
+ * refuses only to create block devices. */
 static void leave_domain(void) {
   const ruleset own = {.files = MAKE_BLOCK};
   const int set = (int)syscall(SYS_landlock_create_ruleset, &own, sizeof own.files, 0);

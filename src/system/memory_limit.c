@@ -10,7 +10,7 @@
 enum { MOST_CHILDREN = 512 };
 
 static struct {
-  double base; /* size of the data of this process when the limit was set [bytes] */
+  double base; /* size of the data segment and the stack when the limit was set [bytes] */
   int limited, count;
   struct reservation {
     pid_t child;

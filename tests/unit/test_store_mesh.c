@@ -9,8 +9,8 @@
 
 /* --- a run on an imported mesh ---------------------------------------------------------------- */
 
-/* Returns a coarse pair of meshes, whose cylinder has a thin coating, as the text of a Gmsh
- * file. */
+/* Returns the text of a Gmsh file with coarse meshes of both bodies. The cylinder has a thin
+ * coating. */
 static char *coated_text(void) {
   arc_error error = {0};
   arc_model_def def = arc_model_default();

@@ -53,8 +53,8 @@ local function depths(run, body)
   return depth
 end
 
--- Computes a run without friction. The reduced law is the local factor of this run, which slides 2 mm per
--- cycle.
+-- Computes the reduced law by a run without friction. The run slides 2 mm per cycle, so its local factor is
+-- half of the factor per cycle.
 local function reduced(bodies, c)
   local run
   run = wear{ model = bodies, load = load, slide = "z", stroke = 1, k = k, cycles = last, jump = jump,

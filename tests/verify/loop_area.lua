@@ -1,7 +1,8 @@
--- Tests the area of a fretting loop in gross slip, which is larger than the energy (shear times slip). A
--- surface under the pressure p is strained by (1 + nu)(1 - 2 nu) p / E, so the plate moves farther than the
--- slip, which linear elasticity measures on the unloaded length. The mean strain follows from the mean of
--- Hertz' pressure weighted with itself, 8 / (3 pi) p_max, for any mesh and friction.
+-- Tests that the area of a fretting loop in gross slip exceeds the dissipated energy (shear times slip) by the
+-- expected amount. The pressure p strains the surface by (1 + nu)(1 - 2 nu) p / E along x. Linear elasticity
+-- refers the slip to the undeformed length, so the plate moves farther than the slip. The mean strain follows
+-- from the mean of the Hertzian pressure, weighted by the pressure, 8 / (3 pi) p_max. It does not depend on
+-- the mesh and on friction.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 
 local function area_of(loop)

@@ -1,5 +1,5 @@
--- Tests soft bodies: no locking for nu near 1/2. Hertz' pressures and, on a plate that stays flat, the worn
--- pressures depend only on the contact modulus.
+-- Tests soft bodies. Elements do not lock for nu near 1/2. Hertzian pressures depend only on the contact
+-- modulus, and so do pressures after wear if the plate stays flat.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
 

@@ -80,9 +80,9 @@ for _, pair in ipairs{ { "steel on steel", steel, steel }, { "steel on nu = .499
   end
 end
 
--- Tests that errors relative to the finest mesh decrease with the square of the element size. Two errors are
--- tested, each a root mean square over all loads and both bodies [MPa]: that of the stress along the surface at
--- and near the centre, and that of the largest von Mises stress.
+-- Tests that errors of stresses, relative to the finest mesh, decrease with the square of the element size. Two
+-- errors [MPa] are tested, root mean squares over all loads and both bodies: the error of sxx at the surface, at
+-- and near the centre, and the error of the largest von Mises stress.
 local models = {}
 local function figures_at(size, load)
   models[size] = models[size] or model{ mesh = { size = size, height = 1.25 * size } }

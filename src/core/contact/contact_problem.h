@@ -114,8 +114,9 @@ void arc_contact_problem_forces(const contact_problem *p, double *f);
 void arc_contact_problem_forces_on(const contact_problem *p, arc_body body, double *force);
 /* Writes the pressures [MPa] of the solution at all surface nodes: pc [nc], pp [np]. */
 void arc_contact_problem_pressures(const contact_problem *p, double *pc, double *pp);
-/* Maps a density on the cylinder [nc] to the plate [np] with the same integral along x.
- * Non-negative densities stay non-negative. */
+/* Transfers a distributed quantity, such as a pressure, from the nodes of the cylinder [nc] to
+ * those of the plate [np]. Conserves its integral along x. Non-negative values stay non-negative.
+ */
 void arc_contact_problem_transfer(const contact_problem *p, const double *from, double *to);
 /* Computes the pressure [MPa] at the cylinder's node in the direction of the load, and the largest
  * nodal pressure. */

@@ -51,8 +51,9 @@ static double bend_of_power(const ending *e, double m) {
   return slope[1] - slope[0];
 }
 
-/* Returns the power of the distance from the edge with which the gap opens: 1 at the kink of a scar
- * of stiff bodies, 3/2 where the surfaces are smooth, between them in other worn contacts. */
+/* Returns the exponent m of the gap, which is proportional to d^m at the distance d from the edge:
+ * 1 at the kink of a scar of stiff bodies, 3/2 where the surfaces are smooth, between them in other
+ * worn contacts. */
 static double find_power(const ending *e) {
   double low = 1, high = 1.5;
   if (e->last + 3 * e->out < 0 || e->last + 3 * e->out >= e->p->count) return high;
@@ -66,8 +67,8 @@ static double find_power(const ending *e) {
   return (low + high) / 2;
 }
 
-/* Returns the position of the edge where the gap outside the contact, extrapolated with its power,
- * is 0. It is between the last node in contact and the next node. */
+/* Returns the position of the edge, where the gap is 0 if it is extrapolated from outside the
+ * contact with its exponent. It is between the last node in contact and the next node. */
 static double edge_between(const ending *e) {
   const double from = node_x(e, 0), next = node_x(e, 1);
   const int second = e->last + 2 * e->out;

@@ -389,8 +389,8 @@ static arc_status far_displacements(const elastic_body *b, const double *rim, do
   return status;
 }
 
-/* Computes the displacements of the rim and inner nodes under the forces f on the surface, first
- * along x at all nodes and then along y. */
+/* Computes the displacements of the rim and inner nodes due to the forces on the surface. f
+ * contains the forces along x on all surface nodes, then the forces along y. */
 static void box_displacements(const elastic_body *b, const condensation *c, const double *f,
                               double *rim, double *inner) {
   memset(rim, 0,

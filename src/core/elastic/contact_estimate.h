@@ -16,8 +16,8 @@ typedef struct contact_estimate {
   double spot; /* width of the contact spots on the crests of waves; INFINITY without waves */
 } contact_estimate;
 
-/* Relative shape of the unworn surfaces of a pair. It is created once for any number of loads.
- * The members `at` and `form` depend on the load, and so does `least` for profiles. */
+/* Gap between the unworn surfaces of a pair, for estimates under any number of loads. The members
+ * `at` and `form`, and `least` for profiles, are computed again for each load. */
 typedef struct contact_pair {
   const arc_model_def *def; /* model definition, which must outlive the estimate */
   int round;                /* true: the contact is a spot on the axis of revolution */
@@ -27,8 +27,8 @@ typedef struct contact_pair {
   double hole, clearance;  /* [mm] radius of the hole (0: no hole), radial clearance of the pin */
   double least;            /* [mm] half width of the part that touches without load */
   double most;             /* [mm] assumed half width of the largest contact */
-  double form[ARC_BODIES]; /* [mm] radius that replaces the heights of a rough profile; 0: the
-                              heights are used */
+  double form[ARC_BODIES]; /* [mm] radius of curvature used instead of the heights of a rough
+                              profile; 0: the heights are used */
   double at;               /* [mm] position where the surfaces touch */
   double load;             /* [N] load of the stored result `answer`; NAN: no result yet */
   contact_estimate answer;

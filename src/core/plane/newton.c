@@ -303,8 +303,8 @@ arc_status arc_newton_start(wear_stage *stage, double *rate) {
 
 /* --- the error -------------------------------------------------------------------------------- */
 
-/* Returns the relative change of a problem's contact forces that the errors `off` of all depths
- * cause. */
+/* Returns the relative change of the contact forces of problem `p` due to the errors `off` of the
+ * wear depths of both bodies. */
 static double shifted_by(newton *s, contact_problem *p, const double *off) {
   double *below = plane_of(s->at->run)->below;
   arc_contact_problem_to_cylinder(p, off + s->at->run->nc, below);
@@ -315,10 +315,10 @@ static double shifted_by(newton *s, contact_problem *p, const double *off) {
   return arc_stage_forces(p, s->packed);
 }
 
-/* Returns the largest relative change of the contact forces that the errors `off` of all depths
- * cause. It is computed from the last solutions at both ends and in the middle of the path. Returns
- * 0 for runs in closed form, which have no path and in which the pressures do not depend on the
- * depths. */
+/* Returns the largest relative change of the contact forces due to the errors `off` of the wear
+ * depths. It is computed from the last solutions at both ends and in the middle of the path.
+ * Returns 0 for runs in closed form, which have no path and in which the pressures do not depend on
+ * the depths. */
 static double largest_shift(newton *s, const double *off) {
   if (s->at->run->manner.closed) return 0;
   const wear_block *block = path_of(s->at->run)->block;

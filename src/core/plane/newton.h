@@ -66,9 +66,9 @@ int arc_newton_is_hopeless(const newton *s, arc_status status);
  * friction and without elastic slip. */
 int arc_stage_rests(const wear_stage *stage);
 arc_status arc_stage_solve_rest(newton *s, double h, double *rate);
-/* Replaces changes of the gaps of a solved problem by the resulting changes of its forces. The
- * array `gap` has one entry per node in contact. Returns the largest fraction of the load that
- * moves along the surface. */
+/* Replaces changes of the gaps of a solved problem by the resulting changes of its forces under a
+ * constant load. The array `gap` has one entry per node in contact. Returns the largest absolute
+ * value of the sum of these changes from the left end to a node, divided by the load. */
 double arc_stage_forces(contact_problem *p, double *gap);
 /* Computes the result of arc_newton_error for a contact at rest. */
 double arc_stage_rest_error(newton *s, double *defect);

@@ -93,8 +93,9 @@ static arc_status solve_point(arc_wear *w, const wear_window *window, int at,
   return arc_wear_take(w, window, p, point, error);
 }
 
-/* Returns true if the contact at a point equals the contact at the previous point. This is the
- * case for NSP and for sliding along z under a constant load. */
+/* Returns true if the contact problem at point `at` of the path is the same as at the previous
+ * point: the plate has one position (NSP, or sliding along z), and load and angle have not changed.
+ */
 static int same_as_before(const arc_wear *w, const wear_window *window, int at) {
   const double *line = path_of(w)->block->line, *angle = path_of(w)->block->angle;
   const int stays = w->manner.procedure == ARC_NSP || w->def.slide == ARC_SLIDE_Z;

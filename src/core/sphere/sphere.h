@@ -84,11 +84,13 @@ void arc_sphere_kernel_apply(sphere_kernel *k, const double *p, double *u);
 
 /* --- lattice.c -------------------------------------------------------------------------------- */
 
-/* Sets the number of rows of the window and discards the initial pressures. Error: ARC_MEMORY. */
+/* Sets the number of rows of the window and discards the pressures from which contact solutions
+ * start. Error: ARC_MEMORY. */
 arc_status arc_sphere_open(arc_joint *j, int size, arc_error *error);
-/* Allocates the initial pressures of `instants` instants and sets them to 0. Error: ARC_MEMORY. */
+/* Allocates the pressures from which contact solutions start, for each of the `instants` instants
+ * of a cycle, and sets them to 0. Error: ARC_MEMORY. */
 arc_status arc_sphere_make_kept(arc_joint *j, int instants, arc_error *error);
-/* Enlarges the window and discards the initial pressures. Errors: ARC_ZONE if the window has its
+/* Enlarges the window and discards these pressures. Errors: ARC_ZONE if the window has its
  * largest size, ARC_MEMORY. */
 arc_status arc_sphere_grow(arc_joint *j, arc_error *error);
 

@@ -16,7 +16,8 @@ typedef struct sweep {
   double *was;              /* state of the joint before the update */
   double *gain[ARC_BODIES]; /* [sites] depth [mm] by which the surface is lowered at the end of an
                                explicit update */
-  double *shear, *mean;     /* [sites][3] sums for the cross-shear; [sites] mean pressure */
+  double *shear, *mean;     /* [sites][3] sums of p |s| t t' over a cycle, for the cross-shear;
+                               [sites] mean pressure */
   double *k, *loss, *share; /* [sites] wear coefficient k; [sites] wear depth k N p |s| of an
                                instant in N cycles [mm]; [sites] cross-shear */
   arc_joint_record record;

@@ -176,7 +176,8 @@ static int tracked_resume(lua_State *L) {
   return count + 1;
 }
 
-/* Closes a coroutine that failed. If the coroutine could not be resumed at all, has no effect. */
+/* Closes a coroutine that ended with an error. Does nothing if the coroutine has no error status.
+ */
 static void close_failed(lua_State *L, lua_State *co) {
   int status = lua_status(co);
   if (status == LUA_OK || status == LUA_YIELD) return;

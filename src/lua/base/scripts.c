@@ -247,7 +247,8 @@ static void make_modules(lua_State *L, const luaL_Reg *modules) {
   lua_rawsetp(L, LUA_REGISTRYINDEX, &modules_key);
 }
 
-/* Registers all modules in package.preload, so that the user's require returns the same values. */
+/* Registers all modules in package.preload, so that require in user scripts returns the same values
+ * as script_require. */
 static void fill_preload(lua_State *L, const luaL_Reg *modules) {
   luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_PRELOAD_TABLE);
   lua_pushcfunction(L, own_require);
