@@ -1,25 +1,26 @@
--- Refines the mesh of a run, to estimate the error of fitted values that is due to the mesh.
+-- Refines a run, to estimate the error of fitted values that is due to its mesh.
 
 local merged = require "archard.lib.merged"
 local settings = require "archard.definition.settings"
 
 local meshed = { ["plane strain"] = true, ["plane stress"] = true, axisymmetric = true }
-local usual_rows = 3
+local usual_rows, most_rows = 3, 100
 
--- Returns the fields of wear{} in `given` with elements half as large; nil for models without element sizes
+-- Returns the fields of wear{} in `given` with elements half as large and a given number of cycles per update
+-- (jump) half as large, which explicit steps on smaller elements need; nil for models without element sizes
 -- (3-D, springs, imported meshes).
 return function(where, given)
   local fine, flat = pcall(settings.flatten, where, { model = given.model })
-  if not fine or not meshed[flat["model.geometry"] or "plane strain"] then return nil end
-  local sized = false
+  if not fine or flat["model.mesh"] or not meshed[flat["model.geometry"] or "plane strain"] then return nil end
+  local function number(name) return tonumber(flat["model.mesh." .. name]) end
+  if number "size" or number "height" then
+    flat["model.mesh.rows"] = math.min(most_rows, 2 * (number "rows" or usual_rows))
+  end
+  if not number "size" then flat["model.mesh.fineness"] = 2 * (number "fineness" or 1) end
   for _, name in ipairs{ "size", "height", "far" } do
-    local value = tonumber(flat["model.mesh." .. name])
-    if value then flat["model.mesh." .. name], sized = value / 2, sized or name ~= "far" end
+    local value = number(name)
+    if value then flat["model.mesh." .. name] = value / 2 end
   end
-  if sized then
-    flat["model.mesh.rows"] = 2 * (flat["model.mesh.rows"] or usual_rows)
-  else
-    flat["model.mesh.fineness"] = 2 * (flat["model.mesh.fineness"] or 1)
-  end
-  return merged(given, { model = settings.nest(flat).model })
+  local jump = math.type(given.jump) and given.jump >= 2 and given.jump / 2 or given.jump
+  return merged(given, { model = settings.nest(flat).model, jump = jump })
 end

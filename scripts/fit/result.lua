@@ -8,8 +8,9 @@ local unknown = require "archard.fit.unknown"
 
 local result = {}
 
--- Intervals include this many times the change of a value with half the element size. The error due to the mesh
--- is at most twice this change if it decreases at least in proportion to the element size.
+-- Intervals include this many times the change of a value with half the element size, or its scatter if that is
+-- larger. The error due to the mesh is at most twice this change if it decreases at least in proportion to the
+-- element size. The changes due to single measured values can cancel by chance; their scatter does not.
 local by_mesh = 2
 
 -- --- numbers -------------------------------------------------------------------------------------
@@ -272,15 +273,15 @@ local function data_line(item)
 end
 
 -- Returns a line on the changes due to the mesh if they are at least a tenth of an interval, else nil.
-local function mesh_line(self, changes)
+local function mesh_line(self, changes, scatter)
   local words, counts = {}, false
   for i, change in ipairs(changes) do
     if self.errors[i] < math.huge then
       words[#words + 1] = ("%s by %.2g"):format(self.names[i], change)
-      counts = counts or by_mesh * math.abs(change) > 0.1 * self.margins[i]
+      counts = counts or by_mesh * math.max(math.abs(change), scatter[i]) > 0.1 * self.margins[i]
     end
   end
-  return counts and ("  mesh             half the element size changes %s; the ranges include twice this"):format(
+  return counts and ("  mesh             half the element size changes %s; the ranges include at least twice this"):format(
     table.concat(words, ", ")) or nil
 end
 
@@ -362,13 +363,14 @@ function result.new(problem, found, told, confidence)
   local low, high = {}, {}
   for i, one in ipairs(problem.unknowns) do
     self.names[i], self.units[i] = one.name, one.unit
-    self.margins[i] = self.times * self.errors[i] + by_mesh * math.abs(changes and changes[i] or 0)
+    self.margins[i] = self.times * self.errors[i]
+      + (changes and by_mesh * math.max(math.abs(changes[i]), found.mesh_scatter[i]) or 0)
     low[i] = clipped(one, self.values[i] - self.margins[i])
     high[i] = clipped(one, self.values[i] + self.margins[i])
   end
   self.value, self.error = by_path(problem, self.values), by_path(problem, self.errors)
   self.low, self.high = by_path(problem, low), by_path(problem, high)
-  self.mesh_line = changes and mesh_line(self, changes)
+  self.mesh_line = changes and mesh_line(self, changes, found.mesh_scatter)
   self.covariance, self.correlation = found.covariance, correlations(found)
   self.data = described(self, problem, found, scale, deviation)
   self.curve, self.band = curves(self, problem, found, scale)

@@ -40,24 +40,24 @@ end
 
 -- --- runs in this process ------------------------------------------------------------------------
 
-local function fail_at(self, label, why)
+local function fail_at(self, each, why)
   local message, code = check.reason(why)
-  if not message or code == "STOPPED" then error(why, 0) end
+  if not message or code == "STOPPED" or each.refined then error(why, 0) end
   check.fail(self.where, ("the run with %s failed: %s. Narrower bounds (low, high) can keep the search "
-    .. "away from these values"):format(label, message), code)
+    .. "away from these values"):format(each.label, message), code)
 end
 
 -- Computes one run and stores its results. Only the first run of a fit prints its warnings.
-local function compute_here(self, label, values, refined)
+local function compute_here(self, each)
   if self.count > 0 then warn "@off" end
-  local fine, readings, run = pcall(observe.run, self:given(values, refined), self.what)
+  local fine, readings, run = pcall(observe.run, self:given(each.values, each.refined), self.what)
   warn "@on"
-  if not fine then fail_at(self, label, readings) end
+  if not fine then fail_at(self, each, readings) end
   run:close()
   self.count = self.count + 1
-  self.known[label] = readings
+  self.known[each.label] = readings
   if self.counter then self.counter:ran() end
-  if type(self.progress) == "function" then check.call(self.progress, self.count, label) end
+  if type(self.progress) == "function" then check.call(self.progress, self.count, each.label) end
 end
 
 -- --- runs by workers, stored in a run file -------------------------------------------------------
@@ -136,7 +136,11 @@ local function compute_by_workers(self, wanted)
     progress = self.progress or false })
   self.count = self.count + count
   if self.counter then self.counter:ran(count) end
-  for _, each in ipairs(failed) do fail_at(self, each.label, { message = each.message, code = "NUMERIC" }) end
+  local reasons = {}
+  for _, each in ipairs(failed) do reasons[each.label] = { message = each.message, code = "NUMERIC" } end
+  for _, each in ipairs(wanted) do
+    if reasons[each.label] then fail_at(self, each, reasons[each.label]) end
+  end
   for _, each in ipairs(wanted) do self.known[each.label] = from_store(store, self.cases[each.label]) end
 end
 
@@ -155,7 +159,7 @@ function runs:many(list, refined)
   if self.file and #wanted > 0 then
     compute_by_workers(self, wanted)
   else
-    for _, each in ipairs(wanted) do compute_here(self, each.label, each.values, each.refined) end
+    for _, each in ipairs(wanted) do compute_here(self, each) end
   end
   for i, values in ipairs(list) do result[i] = self.known[label_of(self, values, refined)] end
   return result

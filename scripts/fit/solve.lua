@@ -279,28 +279,30 @@ end
 
 -- --- error due to the mesh -----------------------------------------------------------------------
 
--- Returns how much each parameter changes, to first order, if the runs have elements of half the size; nil if
--- the model has no element sizes, or if such a run fails, with the reason.
+-- Returns how much each parameter changes, to first order, if the runs have elements of half the size, and the
+-- scatter of this change: the root of the sum of the squares of the changes due to each measured value. Both
+-- are nil if the model has no element sizes, or if such a run fails; the third result is then the reason.
 local function change_by_mesh(problem, found)
   local own = table.move(found.values, 1, #problem.unknowns, 1, {})
   local fine, readings = pcall(problem.runs.refined, problem.runs, own)
   if not fine then
     local message, code = check.reason(readings)
     if code == "STOPPED" then error(readings, 0) end
-    return nil, (message or tostring(readings)):match("[^\n]*")
+    return nil, nil, (message or tostring(readings)):match("[^\n]*")
   end
   if not readings then return nil end
   local usual, refined = problem:predict(problem:runs_at(own), found.values), problem:predict(readings, found.values)
-  local gradient, change = {}, {}
-  for j, column in ipairs(found.columns) do
-    gradient[j] = 0
-    for i, value in ipairs(usual) do gradient[j] = gradient[j] + column[i] * (refined[i] - value) end
-  end
+  local change, scatter = {}, {}
   for a, row in ipairs(found.covariance) do
-    change[a] = 0
-    for b, value in ipairs(row) do change[a] = change[a] - value * gradient[b] end
+    local sum, squares = 0, 0
+    for i, value in ipairs(usual) do
+      local gain = 0
+      for b, column in ipairs(found.columns) do gain = gain - row[b] * column[i] end
+      sum, squares = sum + gain * (refined[i] - value), squares + (gain * (refined[i] - value)) ^ 2
+    end
+    change[a], scatter[a] = sum, math.sqrt(squares)
   end
-  return change
+  return change, scatter
 end
 
 -- --- complete fit ---------------------------------------------------------------------------------
@@ -324,7 +326,7 @@ function solve.fit(problem, weight, told)
     found = settle(problem)
     found.iterations = found.iterations + before
   end
-  found.by_mesh, found.mesh_failed = change_by_mesh(problem, found)
+  found.by_mesh, found.mesh_scatter, found.mesh_failed = change_by_mesh(problem, found)
   return found
 end
 

@@ -101,7 +101,7 @@ return {
       .. "values change in steps from node to node, residuals above the given errors increase them." },
   { "fitted.low", kind = "field",
     text = "Lower ends of the confidence intervals of the parameters, by name. The intervals include twice the "
-      .. "changes f.mesh." },
+      .. "changes f.mesh, or twice their scatter if that is larger." },
   { "fitted.high", kind = "field", text = "Upper ends of the confidence intervals of the parameters, by name." },
   { "fitted.names", kind = "field", text = "Names of the parameters, in the order of f.values." },
   { "fitted.values", kind = "field", text = "Values of the parameters as a list, in the order of f.names." },
@@ -109,8 +109,9 @@ return {
   { "fitted.margins", kind = "field", text = "Half widths of the confidence intervals as a list, in the order of "
     .. "f.names." },
   { "fitted.mesh", kind = "field",
-    text = "Changes of the values if the elements had half the size, by name, from one more run. nil without "
-      .. "element sizes (3-D, springs, imported meshes) or if this run fails." },
+    text = "Changes of the values if the elements (and a given jump) had half the size, by name, from one more "
+      .. "run, several times as long as the others. nil without element sizes (3-D, springs, "
+      .. "imported meshes) or if this run fails." },
   { "fitted.correlation", kind = "field",
     text = "Matrix of the correlations of the parameters, f.correlation[i][j]. The unknowns are first, then the "
       .. "identified offsets of the profiles." },

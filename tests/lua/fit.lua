@@ -26,8 +26,9 @@ near(f.value.alpha, 0.3, 1e-5, "alpha from exact data")
 near(f.data[1].place.shift.value, 0.004, 1e-4, "the shift of a profile")
 near(f.data[1].place.level.value, 1e-4, 1e-4, "the level of a profile")
 ok(f.low.k < 1.4e-8 and f.high.k > 1.4e-8 and f.error.k > 0, "the 95 % range contains the true k")
-near(f.high.k - f.value.k, f.times * f.error.k + 2 * math.abs(f.mesh.k), 1e-12,
-  "a range is the standard error times f.times, and twice the change with half the element size")
+ok(f.high.k - f.value.k >= (1 - 1e-12) * (f.times * f.error.k + 2 * math.abs(f.mesh.k)),
+  "a range contains the standard error times f.times and twice the change with half the element size")
+ok(f.high.k - f.value.k < f.times * f.error.k + 0.05 * f.value.k, "the error due to the mesh is small")
 near(f.margins[1], f.high.alpha - f.value.alpha, 1e-12, "half widths of the ranges as a list")
 is(f.freedom, #data[1].profile.x + #data[2].profile.x + 1 - 8, "degrees of freedom")
 is(f.wear.distance, 220.0, "the run of a fit is at the last measured distance")
@@ -175,6 +176,10 @@ local unrefined = fit{ base = { local_factor = fails_on_finer_mesh }, unknown = 
 is(unrefined.mesh, nil, "no error due to the mesh if the run on the finer mesh fails")
 holds(tostring(unrefined), { "half the element size failed", "a node near" }, "the reason is a note")
 
+is(fit{ base = { geometry = "frozen", model = { mesh = "examples/gmsh_pair.msh", radius = 10 } }, unknown = { k = 1e-8 },
+  data = { { of = "depth_plate", distance = { 20, 40 }, value = { 1e-4, 2e-4 } } } }.mesh, nil,
+  "an imported mesh is not refined")
+
 -- --- run files -----------------------------------------------------------------------------------
 local function stored(workers, other)
   return fit{ base = base, unknown = { k = other or 2e-8 }, data = { volumes }, file = file, workers = workers,
@@ -185,6 +190,13 @@ near(first.value.k, 1e-8, 1e-6, "a fit with two workers")
 local again = stored(1)
 is(again.value.k, first.value.k, "a fit read from its file has identical bits")
 is(again.runs, 0, "a fit read from its file needs no run")
+local unstable -- on the finer mesh jump = 1 is past the stability limit
+for call = 1, 2 do
+  unstable = fit{ base = { stroke = 0.22, jump = 1 }, unknown = { k = 7e-7 }, file = file .. ".unstable", progress = false,
+    data = { { of = "depth_plate", distance = { 11, 22 }, relative = 0.03, value = { 1.13e-3, 1.83e-3 } } } }
+  is(unstable.mesh, nil, "a stored run on the finer mesh that failed, call " .. call)
+end
+os.remove(file .. ".unstable")
 g = fit{ base = base, unknown = { k = 2e-8 }, data = { volumes } }
 is(g.value.k, first.value.k, "a fit in this process gives identical bits")
 fails(function() fit{ unknown = { k = 2e-8 }, data = volumes } end,
