@@ -237,8 +237,7 @@ end
 
 local class = { __name = "fitted", __methods = {}, __fields = { "value", "error", "low", "high", "names", "values", "errors",
   "correlation", "covariance", "confidence", "chi2", "freedom", "reduced", "told", "data", "curve", "band", "notes",
-  "iterations", "runs", "noise", "smooth", "wear", "times", "margins",
-  "mesh" } }
+  "iterations", "runs", "noise", "smooth", "wear", "times", "margins", "mesh" } }
 
 local function shown(value) return ("%.4g"):format(value) end
 
@@ -272,13 +271,13 @@ local function data_line(item)
   return line
 end
 
--- Returns a line on the changes due to the mesh if they are at least a tenth of an interval, else nil.
-local function mesh_line(self, changes, scatter)
+-- Returns a line on the changes due to the mesh if they add at least a tenth to an interval, else nil.
+local function mesh_line(self)
   local words, counts = {}, false
-  for i, change in ipairs(changes) do
+  for i, change in ipairs(self.changes) do
     if self.errors[i] < math.huge then
       words[#words + 1] = ("%s by %.2g"):format(self.names[i], change)
-      counts = counts or by_mesh * math.max(math.abs(change), scatter[i]) > 0.1 * self.margins[i]
+      counts = counts or self.margins[i] - self.times * self.errors[i] > 0.1 * self.margins[i]
     end
   end
   return counts and ("  mesh             half the element size changes %s; the ranges include at least twice this"):format(
@@ -318,7 +317,7 @@ function class.__tostring(self)
   for i in ipairs(self.names) do lines[#lines + 1] = line_of(self, i, self.units[i]) end
   lines[#lines + 1] = ("  +-: standard error; range: %g %% confidence%s"):format(100 * self.confidence,
     self.told and "" or "; errors of the data estimated from the residuals")
-  lines[#lines + 1] = rawget(self, "mesh_line")
+  lines[#lines + 1] = mesh_line(self)
   add_correlations(lines, self)
   if self.smooth > 0 then lines[#lines + 1] = ("  smoothness       weight %.3g"):format(self.smooth) end
   for _, item in ipairs(self.data) do lines[#lines + 1] = data_line(item) end
@@ -358,19 +357,18 @@ function result.new(problem, found, told, confidence)
   self.times = statistics.student(confidence, told and statistics.known or self.freedom)
   local deviation = deviations(found, problem, scale)
   self.names, self.units, self.values, self.errors = {}, {}, head(found.values, m), head(deviation, m)
-  local changes = found.by_mesh and head(found.by_mesh, m)
-  self.margins, self.mesh = {}, changes and by_path(problem, changes)
+  self.margins, self.changes = {}, head(found.by_mesh or {}, m)
+  self.mesh = found.by_mesh and by_path(problem, self.changes)
   local low, high = {}, {}
   for i, one in ipairs(problem.unknowns) do
     self.names[i], self.units[i] = one.name, one.unit
     self.margins[i] = self.times * self.errors[i]
-      + (changes and by_mesh * math.max(math.abs(changes[i]), found.mesh_scatter[i]) or 0)
+      + (found.by_mesh and by_mesh * math.max(math.abs(self.changes[i]), found.mesh_scatter[i]) or 0)
     low[i] = clipped(one, self.values[i] - self.margins[i])
     high[i] = clipped(one, self.values[i] + self.margins[i])
   end
   self.value, self.error = by_path(problem, self.values), by_path(problem, self.errors)
   self.low, self.high = by_path(problem, low), by_path(problem, high)
-  self.mesh_line = changes and mesh_line(self, changes, found.mesh_scatter)
   self.covariance, self.correlation = found.covariance, correlations(found)
   self.data = described(self, problem, found, scale, deviation)
   self.curve, self.band = curves(self, problem, found, scale)
