@@ -2,10 +2,10 @@
 -- of a fit.
 --
 --   archard scripts/tools/fit_trials.lua [TRIALS]      default: 100
-local trial = dofile("tests/verify/lib/fit_trials.lua")
+local trial, kinds = dofile("tests/verify/lib/fit_trials.lua")
 local count = tonumber(arg[1]) or 100
 
-for _, kind in ipairs{ "pair", "curve", "width", "fine", "fine width" } do
+for _, kind in ipairs(kinds) do
   local hits, longest, total = {}, 0, 0
   for seed = 1, count do
     local inside, seconds = trial(seed, kind)

@@ -4,11 +4,11 @@
 -- Long
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/../lua/lib/tap.lua")
-local trial = dofile(here .. "/lib/fit_trials.lua")
+local trial, kinds = dofile(here .. "/lib/fit_trials.lua")
 
 local count = 12
 
-for _, kind in ipairs{ "pair", "curve", "width", "fine", "fine width" } do
+for _, kind in ipairs(kinds) do
   local hits, tried = 0, 0
   for seed = 1, count do
     for _, is_in in pairs((trial(seed, kind))) do hits, tried = hits + (is_in and 1 or 0), tried + 1 end

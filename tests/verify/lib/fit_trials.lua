@@ -1,8 +1,10 @@
 -- Runs trials of fit with known true values: simulates a run, adds noise to its results, fits them, and
 -- checks whether the true values are in the ranges of the fit. Returns the function trial(seed, kind), which
--- returns { name = inside } and the seconds. The kinds are "pair" (k and alpha from one pair of profiles and
--- the volumes), "curve" (alpha at three knots from four pairs), and "width" (k from the contact's widths,
--- which change in steps from node to node).
+-- returns { name = inside } and the seconds, and the list of the kinds: "pair" (k and alpha from one pair of
+-- profiles and the volumes), "curve" (alpha at three knots from four pairs), "width" (k from the contact's
+-- widths, which change in steps from node to node), "fine" and "fine width" (k and alpha from profiles, or k
+-- from half widths, of a run on a mesh four times as fine, with so little noise that the error due to the mesh
+-- of the fit counts).
 
 local spline = require "archard.fit.spline"
 
@@ -121,7 +123,7 @@ kinds["fine width"] = function()
     { k = 1e-8 }, { k = 1.3e-8 }, { stroke = 0.22, alpha = 0.35 }
 end
 
-return function(seed, kind)
+local function trial(seed, kind)
   seed_well(seed)
   local data, unknown, truth, given = kinds[kind]()
   local start = os.clock()
@@ -133,3 +135,5 @@ return function(seed, kind)
   f.wear:close()
   return inside, seconds
 end
+
+return trial, { "pair", "curve", "width", "fine", "fine width" }
